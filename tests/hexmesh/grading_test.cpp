@@ -56,6 +56,34 @@ mesh::Mesh cylinder() {
   return m;
 }
 
+// 2 x 2 x 1, with a pit in the middle of its top: a pyramid upside down on an octagon of the given radius, whose walls
+// turn by 31 degrees from one to the next and by 45 from the top.
+mesh::Mesh block_with_pit(double radius) {
+  mesh::Mesh m(host.memory);
+  for (const double z : {1.0, 0.0}) {
+    for (const auto& [x, y] : {std::pair(1.0, 1.0), std::pair(-1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)})
+      m.positions.emplace_back(x, y, z);
+  }
+  constexpr Index rim = 8, tip = 16;
+  for (int k = 0; k < 8; ++k)
+    m.positions.emplace_back(radius * std::cos(k * std::numbers::pi / 4), radius * std::sin(k * std::numbers::pi / 4),
+                             1);
+  m.positions.emplace_back(0, 0, 1 - radius * std::cos(std::numbers::pi / 8));
+  for (Index k = 0; k < 8; ++k)
+    m.triangles.push_back({rim + k, rim + (k + 1) % 8, tip});
+  for (Index c = 0; c < 4; ++c) {
+    const Index d = (c + 1) % 4, before = rim + 2 * c, middle = before + 1, after = rim + (2 * c + 2) % 8;
+    m.triangles.push_back({before, c, middle});
+    m.triangles.push_back({middle, c, after});
+    m.triangles.push_back({c, d, after});
+    m.triangles.push_back({d, c, c + 4});
+    m.triangles.push_back({d, c + 4, d + 4});
+  }
+  m.triangles.push_back({4, 6, 5});
+  m.triangles.push_back({4, 7, 6});
+  return m;
+}
+
 double length_of_arcs(const mesh::FeatureGraph& graph, std::span<const Vector3> positions) {
   double sum = 0;
   for (const mesh::FeatureArc& arc : graph.arcs) {
@@ -158,4 +186,34 @@ TEST_CASE("A narrow slot costs cells across it alone") {
   CHECK(keeper.offer(*made, true, nullptr));
   CHECK(keeper.complete());
   CHECK(keeper.figures().captured == doctest::Approx(1));
+}
+
+TEST_CASE("A rim of sides that are a fourth of a cell is captured") {
+  FeatureKeeper keeper(block_with_pit(0.1), {.request = by_angles, .cells = 300}, host);
+  REQUIRE(keeper.any());
+  const std::optional<HexResult> made = keeper.embed();
+  REQUIRE(made);
+  CHECK(made->quality.valid());
+  CHECK(made->mesh.hexahedra.size() < 2400);
+  CHECK(keeper.offer(*made, true, nullptr));
+  CHECK(keeper.figures().corners == 16);
+  CHECK(keeper.complete());
+  CHECK(keeper.figures().captured > 0.99);
+}
+
+TEST_CASE("What there are too few cells for is left out and named, and the rest is kept") {
+  FeatureKeeper keeper(block_with_pit(0.1), {.request = by_angles, .cells = 200, .max_cells = 400}, host);
+  const std::optional<HexResult> made = keeper.embed();
+  REQUIRE(made);
+  CHECK(made->quality.valid());
+  CHECK(keeper.offer(*made, true, nullptr));
+  const FeatureFigures figures = keeper.figures();
+  // The edges of the block are 20 long, the rim is 0.61.
+  CHECK(figures.captured > 0.96);
+  CHECK(figures.missing_curves() == 8);
+  CHECK(figures.missing_corners() == 8);
+  for (const MissingFeature& missing : figures.missing) {
+    CHECK(missing.from.head<2>().norm() == doctest::Approx(0.1));
+    CHECK(missing.why.find("hexahedra, more than the 400 that") != std::string::npos);
+  }
 }

@@ -1,16 +1,22 @@
 #include "hexmesh/captured/feature_choice.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
 #include "hexmesh/captured/captured_features.h"
 #include "hexmesh/captured/feature_bound.h"
+#include "mesh/search/measures.h"
 
 namespace orbicube::hexmesh {
 namespace {
+
+// Of the mean cell: where a line bends only, and again so soon, the bend is a place of an arc, not a corner; and curves
+// so short are left out together. Larger: fewer corners, which small cells are not needed for; smaller: more exact
+// ones.
+constexpr double shortest_side = 2.5;
 
 bool must_end(const base::Error& error) {
   return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
@@ -36,39 +42,20 @@ bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult&
   return better(x, y, distance);
 }
 
-// The reason for a missing feature: what was in the way of the embedding, at this curve or corner where that is known.
-std::string reason(const MissingFeature& missing, const std::optional<FeatureHexes>& tried, bool embedded,
-                   std::size_t pieces) {
-  if (embedded && tried && !tried->obstacle.empty()) return "the graph with it has no mesh: " + tried->obstacle;
+// The reason for a missing feature: what was in the way of the embedding.
+std::string reason(const std::optional<FeatureHexes>& tried, bool embedded, std::size_t pieces) {
   if (embedded) return "edges of the mesh are farther than a tenth of the mean edge from it";
   if (pieces > 1) return "features of several pieces are those that the method follows";
   if (!tried) return "the method does not follow it, and the mesh is not to be replaced";
   if (tried->found) return "the mesh that has the graph of the features keeps less of it";
-  const bool own = missing.corner ? tried->obstacle_corner == missing.number : tried->obstacle_arc == missing.number;
-  return own ? tried->obstacle : "the feature graph has no mesh: " + tried->obstacle;
+  return "the feature graph has no mesh: " + tried->obstacle;
 }
 
-double length_of(const FeatureSurface& surface, Index arc) {
-  const auto v = surface.graph.vertices_of(surface.graph.arcs[arc]);
+double length_of_all(const FeatureSurface& surface) {
   double sum = 0;
-  for (std::size_t i = 1; i < v.size(); ++i)
-    sum += (surface.positions[v[i]] - surface.positions[v[i - 1]]).norm();
+  for (Index a = 0; a < surface.graph.arcs.size(); ++a)
+    sum += length_of(surface, a);
   return sum;
-}
-
-// The arc that stopped an embedding, or the shortest at the corner that did.
-Index arc_in_the_way(const FeatureHexes& made, const FeatureSurface& surface) {
-  const mesh::FeatureGraph& graph = surface.graph;
-  if (made.obstacle_arc != no_index || made.obstacle_corner == no_index) return made.obstacle_arc;
-  Index shortest = no_index;
-  double least = std::numeric_limits<double>::infinity();
-  for (const mesh::FeatureEnd& end : graph.around[made.obstacle_corner]) {
-    const double length = length_of(surface, end.arc);
-    if (length >= least) continue;
-    least = length;
-    shortest = end.arc;
-  }
-  return shortest;
 }
 
 }  // namespace
@@ -78,7 +65,7 @@ bool can_keep_features() {
 }
 
 FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
-    : input_(input), choice_(choice), host_(host) {
+    : choice_(choice), host_(host), left_out_(host.memory) {
   try {
     surface_.emplace(feature_surface(input, choice.request, host));
     if (!any()) return;
@@ -129,65 +116,76 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
   }
 }
 
-// Leaves out one arc after the other that is in the way.
-FeatureHexes FeatureKeeper::without_obstacles(FeatureSurface& surface, const FeatureRequest& request,
-                                              FeatureHexes made) {
-  constexpr int most = 3;             // arcs
+FeatureSurface FeatureKeeper::with_graph_of(const FeatureRequest& request) const {
+  FeatureSurface surface(host_.memory);
+  surface = *surface_;
+  surface.graph = graph_without(surface, request, {}, host_);
+  return surface;
+}
+
+bool FeatureKeeper::leave_out(const FeatureHexes& made, FeatureSurface& surface, const FeatureRequest& request) {
   constexpr double least_kept = 0.5;  // of the length of the sharp edges: less is hardly worth a mesh with a layer
-  const auto length_of_all = [&] {
-    double sum = 0;
-    for (Index a = 0; a < surface.graph.arcs.size(); ++a)
-      sum += length_of(surface, a);
-    return sum;
-  };
-  const double whole = length_of_all();
-  Array<mesh::Edge> without(host_.memory);
-  for (int i = 0; i < most && !made.found; ++i) {
-    const Index arc = arc_in_the_way(made, surface);
-    if (arc == no_index) break;
-    const auto v = surface.graph.vertices_of(surface.graph.arcs[arc]);
-    for (std::size_t k = 1; k < v.size(); ++k)
-      without.push_back({v[k - 1], v[k]});
-    surface.graph = graph_without(surface, request, without, host_);
-    if (surface.graph.arcs.empty() || length_of_all() < least_kept * whole) break;
-    made = hexahedra_of(surface, true);
-  }
-  return made;
+  if (made.arcs_in_the_way.empty()) return false;
+  left_out_.add(surface, made.arcs_in_the_way, request.shortest_side, made.obstacle, host_);
+  const mesh::FeatureGraph before = std::move(surface.graph);
+  surface.graph = graph_without(surface, request, left_out_.edges(), host_);
+  left_out_.add_lost(before, surface.graph, "it would end inside a face; " + made.obstacle);
+  return !surface.graph.arcs.empty() && length_of_all(surface) >= least_kept * length_of_all(*surface_);
 }
 
 std::optional<HexResult> FeatureKeeper::embed() {
-  if (!any() || surface_->pieces != 1 || surface_->graph.arcs.empty()) return {};
-  tried_ = hexahedra_of(*surface_, false);
-  if (!tried_->found) {
-    FeatureRequest request = choice_.request;
-    const bool marked = request.features == Features::automatic && !surface_->lines.empty();
-    if (marked) request.features = Features::angles;
-    FeatureSurface surface = feature_surface(input_, request, host_);
-    FeatureHexes fewer(host_.memory);
-    fewer.obstacle_arc = tried_->obstacle_arc;
-    fewer.obstacle_corner = tried_->obstacle_corner;
-    const bool sharp_only = surface.graph.arcs.size() < surface_->graph.arcs.size();
-    if (sharp_only) host_.log("features: without those that are marked and not sharp");
-    const bool some = !surface.graph.arcs.empty();
-    if (some && sharp_only) fewer = hexahedra_of(surface, false);
-    if (some && !fewer.found) fewer = without_obstacles(surface, request, std::move(fewer));
-    tried_->found = fewer.found;
-    if (fewer.found) tried_->result = std::move(fewer.result);
+  constexpr int most_left_out = 6;  // times
+  if (!can_embed()) return {};
+  FeatureRequest request = choice_.request;
+  const double volume = mesh::measures(surface_->positions, surface_->triangles, host_).volume;
+  request.shortest_side = shortest_side * std::cbrt(volume / static_cast<double>(choice_.cells));
+  FeatureSurface surface = with_graph_of(request);
+  tried_ = hexahedra_of(surface, false);
+  if (!tried_->found && request.features == Features::automatic && !surface_->lines.empty()) {
+    request.features = Features::angles;
+    FeatureSurface sharp = with_graph_of(request);
+    if (!sharp.graph.arcs.empty() && sharp.graph.arcs.size() < surface.graph.arcs.size()) {
+      host_.log("features: without those that are marked and not sharp");
+      left_out_.add_lost(surface.graph, sharp.graph, "it is not sharp; " + tried_->obstacle);
+      surface = std::move(sharp);
+      tried_ = hexahedra_of(surface, false);
+    }
   }
+  for (int i = 0; i < most_left_out && !tried_->found && leave_out(*tried_, surface, request); ++i)
+    tried_ = hexahedra_of(surface, true);
   if (tried_->found) return std::move(tried_->result);
   host_.log("sharp edges are not kept: " + tried_->obstacle);
   return {};
 }
 
 bool FeatureKeeper::nearly_complete() const {
-  constexpr double enough = 0.95;  // of the length
-  return complete() || figures_.captured >= enough;
+  constexpr double enough = 0.95, enough_embedded = 0.75;  // of the length; strategies without the graph have no more
+  return complete() || figures_.captured >= (figures_.replaced ? enough_embedded : enough);
+}
+
+const std::string* FeatureKeeper::why_left_out(const MissingFeature& missing) const {
+  const mesh::FeatureGraph& graph = surface_->graph;
+  const auto of_arc = [&](Index arc) {
+    const auto v = graph.vertices_of(graph.arcs[arc]);
+    const std::string* why = nullptr;
+    for (std::size_t i = 1; i < v.size() && why == nullptr; ++i)
+      why = left_out_.why(v[i - 1], v[i]);
+    return why;
+  };
+  if (!missing.corner) return of_arc(missing.number);
+  const std::string* why = nullptr;
+  for (const mesh::FeatureEnd& end : graph.around[missing.number])
+    why = why != nullptr ? why : of_arc(end.arc);
+  return why;
 }
 
 FeatureFigures FeatureKeeper::figures() const {
   FeatureFigures figures = figures_;
-  for (MissingFeature& missing : figures.missing)
-    missing.why = reason(missing, tried_, figures.replaced, surface_->pieces);
+  for (MissingFeature& missing : figures.missing) {
+    const std::string* const why = why_left_out(missing);
+    missing.why =
+        why != nullptr ? "the graph with it has no mesh: " + *why : reason(tried_, figures.replaced, surface_->pieces);
+  }
   return figures;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "hexmesh/captured/feature_surface.h"
+#include "hexmesh/captured/left_out_features.h"
 #include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/strategies/hex_draft.h"
 
@@ -22,11 +23,13 @@ bool can_keep_features();
 
 class FeatureKeeper {
  public:
-  // Keeps a reference to the input. Where it has no feature graph, the log says why. Throws Error "cancelled".
+  // Where the input has no feature graph, the log says why. Throws Error "cancelled".
   FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host);
 
   // Whether there are features.
   bool any() const { return surface_ && !surface_->graph.corners.empty(); }
+  // Whether embed() may succeed.
+  bool can_embed() const { return any() && surface_->pieces == 1 && !surface_->graph.arcs.empty(); }
   // Whether all features are edges of about right angles that meet three at a corner, as on a polycube.
   bool rectangular() const { return rectangular_; }
   // The largest scaled Jacobian of a mesh with the graph embedded (feature_bound.h).
@@ -36,8 +39,8 @@ class FeatureKeeper {
   // larger captured length, or as much and more corners; as many: the better mesh (hex_draft.h).
   bool offer(const HexResult& now, bool embedded, const HexResult* best);
   // Makes a grid-based mesh with the graph embedded (feature_hexes.h); where that of sharp and of marked edges has
-  // none, with that of the sharp ones, then without up to three arcs in the way. Nothing: there is none, and figures()
-  // say why.
+  // none, with that of the sharp ones, then without what is in the way (left_out_features.h). Nothing: there is none,
+  // and figures() say why.
   std::optional<HexResult> embed();
 
   // Of the preferred mesh: whether it has all features; whether hardly more can be expected.
@@ -49,16 +52,20 @@ class FeatureKeeper {
  private:
   // Makes hexahedra with the graph of `surface` embedded; errors are obstacles.
   FeatureHexes hexahedra_of(const FeatureSurface& surface, bool once);
-  // With the graph of `surface`, whose obstacle `made` has, without the arcs in the way.
-  FeatureHexes without_obstacles(FeatureSurface& surface, const FeatureRequest& request, FeatureHexes made);
+  // The surface with the graph of another request.
+  FeatureSurface with_graph_of(const FeatureRequest& request) const;
+  // Leaves the arcs in the way out of the graph of a surface; returns whether enough is left.
+  bool leave_out(const FeatureHexes& made, FeatureSurface& surface, const FeatureRequest& request);
+  // Returns the reason why a missing feature is none of the embedded graph; nothing: it is one.
+  const std::string* why_left_out(const MissingFeature& missing) const;
 
-  const mesh::Mesh& input_;
   const FeatureChoice choice_;
   const base::Host& host_;
   std::optional<FeatureSurface> surface_;
   bool rectangular_ = false;
   FeatureFigures figures_;
   std::optional<FeatureHexes> tried_;
+  LeftOutFeatures left_out_;
   std::size_t fitted_ = 0;  // hexahedra of all fits
 };
 

@@ -67,6 +67,7 @@ mesh::FeatureGraph graph_without(const FeatureSurface& surface, const FeatureReq
   options.lines = surface.lines;
   options.weak_lines = request.features == Features::automatic;
   options.without = edges;
+  options.shortest_side = request.shortest_side;
   if (request.features != Features::angles) options.corners = surface.ends;
   return mesh::feature_graph(surface.positions, surface.triangles, options, host);
 }

@@ -11,6 +11,7 @@ struct FeatureRequest {
   double angle = 40;                              // in degrees; 0: no edge is sharp
   std::span<const mesh::Edge> tagged_edges = {};  // of the input
   std::span<const Index> tagged_vertices = {};
+  double shortest_side = 0;  // of corners where a line only bends (mesh::FeatureOptions)
 };
 
 struct FeatureSurface {

@@ -8,8 +8,8 @@ bool can_keep_features() {
   return false;
 }
 
-FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
-    : input_(input), choice_(choice), host_(host) {
+FeatureKeeper::FeatureKeeper(const mesh::Mesh&, const FeatureChoice& choice, const base::Host& host)
+    : choice_(choice), host_(host), left_out_(host.memory) {
   throw base::Error("unsupported", "hexahedra with sharp edges are not part of the module for web pages");
 }
 

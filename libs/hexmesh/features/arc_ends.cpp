@@ -62,6 +62,12 @@ class Stubs {
     taken_.assign(mesh_.positions.size(), no_index);
     for (const Index v : embedding_.corner_vertices)
       taken_[v] = at_corner;
+    embedding_.fixed.resize(shape_.arcs(), Array<Index>(host_.memory));
+    for (Index a = 0; a < shape_.arcs(); ++a) {
+      const Array<Index>& path = embedding_.fixed[a];
+      for (std::size_t i = 1; i + 1 < path.size(); ++i)
+        taken_[path[i]] = a;
+    }
     embedding_.arc_ends.assign(shape_.arcs(), {no_index, no_index});
   }
 
@@ -108,6 +114,8 @@ class Stubs {
   }
 
   double cost(Index corner, const mesh::FeatureEnd& end, Index w, std::span<const Index> around) const {
+    if (const Array<Index>& path = embedding_.fixed[end.arc]; !path.empty())
+      return w == (end.end == 0 ? path[1] : path[path.size() - 2]) ? 0 : impossible;
     const Index other = shape_.other_corner(end);
     const bool direct = indirect_[end.arc] == 0 && other != corner && shape_.length(end.arc) < short_arc &&
                         std::find(around.begin(), around.end(), vertex(other)) != around.end();

@@ -12,10 +12,11 @@ namespace orbicube::hexmesh {
 
 struct Embedding {
   explicit Embedding(std::pmr::memory_resource* memory)
-      : corner_vertices(memory), arc_ends(memory), paths(memory), quad_patches(memory) {}
+      : corner_vertices(memory), arc_ends(memory), fixed(memory), paths(memory), quad_patches(memory) {}
 
   Array<Index> corner_vertices;          // of each corner
   Array<std::array<Index, 2>> arc_ends;  // of each arc, the vertex next to each of its corners
+  Array<Array<Index>> fixed;             // of each arc, the path that it must have; empty: any
   Array<Array<Index>> paths;             // of each arc, its vertices, those of its corners included
   Array<Index> quad_patches;             // of each quad
 };
@@ -31,16 +32,24 @@ struct FeatureObstacle {
 std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
                                              Embedding& embedding, const base::Host& host);
 
-// Chooses the first edge of each arc at its corners, in the cyclic order of the arcs. Vertices with too few edges gain
-// some by hexahedra that are pillowed: mesh and quads change.
+// Chooses the first edge of each arc at its corners, in the cyclic order of the arcs, with fixed paths as they are.
+// Vertices with too few edges gain some by hexahedra that are pillowed: mesh and quads change.
 std::optional<FeatureObstacle> choose_arc_ends(HexMesh& mesh, BoundaryQuads& quads, const FeatureShape& shape,
                                                Embedding& embedding, const base::Host& host);
+
+// What stopped the paths of arcs: nothing, or arcs that have none.
+struct Routing {
+  explicit Routing(std::pmr::memory_resource* memory) : obstacles(memory) {}
+
+  Array<FeatureObstacle> obstacles;
+  bool choose_again = false;  // arcs that first edges of others shut in have fixed paths now: choose the ends again
+};
 
 // Paths along edges, disjoint but for corners, by shortest paths with negotiated congestion (McMurchie and Ebeling
 // 1995, "PathFinder"): vertices may be shared at a price that rises until no path shares one. `price` is what the
 // square of the distance to the arc, in cells, costs besides lengths.
-std::optional<FeatureObstacle> route_arcs(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
-                                          double price, Embedding& embedding, const base::Host& host);
+Routing route_arcs(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape, double price,
+                   Embedding& embedding, const base::Host& host);
 
 // Fills the regions between the paths and sets the patches of the quads. There must be one region for each patch, with
 // the same arcs on the same sides and the same Euler characteristic.

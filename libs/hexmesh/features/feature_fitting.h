@@ -23,6 +23,10 @@ bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targe
 std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
                              const base::Host& host);
 
+// Moves the vertices of the hexahedra that may be folded, wherever that helps. Returns the number of boundary vertices
+// that it moves, and which are off their targets then.
+std::size_t free_folded_hexahedra(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host);
+
 // Improves the positions inside with the boundary fixed.
 void smooth_inside(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, int steps,
                    const base::Host& host);

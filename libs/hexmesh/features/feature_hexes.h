@@ -27,13 +27,13 @@ struct FeatureHexOptions {
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.
 struct FeatureHexes {
-  explicit FeatureHexes(std::pmr::memory_resource* memory) : result(memory) {}
+  explicit FeatureHexes(std::pmr::memory_resource* memory) : result(memory), arcs_in_the_way(memory) {}
 
   HexResult result;
   bool found = false;
   std::size_t fitted = 0;  // hexahedra of all fits
   std::string obstacle;
-  Index obstacle_arc = no_index, obstacle_corner = no_index;  // of the graph, where it was one
+  Array<Index> arcs_in_the_way;  // of the graph; those at corners in the way are some of them
 };
 
 // Makes a mesh of the closed surface of one solid, outward-oriented, of a size near 1, with a graph that has arcs. The

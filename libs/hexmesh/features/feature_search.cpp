@@ -60,16 +60,34 @@ class Search {
     return left;
   }
 
+  // Moves the vertices of hexahedra that may be folded off their targets. Returns how many it moved.
+  std::size_t free_folded() {
+    constexpr int passes = 20;
+    double radius = first_radius;
+    Array<Index> moved(host_.memory);
+    for (int pass = 0; pass < passes; ++pass) {
+      const Array<Index> vertices = vertices_of_worst(0, true);
+      if (vertices.empty()) break;
+      for (const Index v : vertices) {
+        host_.report("search", static_cast<std::uint64_t>(pass), passes);
+        if (try_positions(v, radius, true) && targets_.kind(v) != FeatureTargets::Kind::inside) moved.push_back(v);
+      }
+      radius = std::max(last_radius, radius * shrinking);
+    }
+    std::sort(moved.begin(), moved.end());
+    return static_cast<std::size_t>(std::unique(moved.begin(), moved.end()) - moved.begin());
+  }
+
   void improve() {
     constexpr double progress = 0.01;  // of what is missing
     double radius = first_radius, last = missing_quality();
     int idle = 0;
     for (int pass = 0; pass < max_passes && idle < idle_passes && last > 0; ++pass) {
-      const Array<Index> vertices = worst_vertices();
+      const Array<Index> vertices = vertices_of_worst(std::max(good, bound_ - below_bound), false);
       if (vertices.empty()) return;
       for (const Index v : vertices) {
         host_.report("search", static_cast<std::uint64_t>(pass), max_passes);
-        try_positions(v, radius);
+        try_positions(v, radius, false);
       }
       const double now = missing_quality();
       idle = now < last * (1 - progress) ? 0 : idle + 1;
@@ -120,10 +138,11 @@ class Search {
     return sum;
   }
 
-  Array<Index> worst_vertices() const {
+  // Of hexahedra of at most this quality.
+  Array<Index> vertices_of_worst(double most, bool corners) const {
     Array<std::pair<double, Index>> worst(host_.memory);
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
-      if (const double q = quality(i); q < std::max(good, bound_ - below_bound)) worst.push_back({q, i});
+      if (const double q = quality(i); q <= most) worst.push_back({q, i});
     }
     std::sort(worst.begin(), worst.end());
     if (worst.size() > max_worst) worst.resize(max_worst);
@@ -132,7 +151,7 @@ class Search {
       vertices.insert(vertices.end(), mesh_.hexahedra[i].begin(), mesh_.hexahedra[i].end());
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::erase_if(vertices, [&](Index v) { return targets_.kind(v) == FeatureTargets::Kind::corner; });
+    if (!corners) std::erase_if(vertices, [&](Index v) { return targets_.kind(v) == FeatureTargets::Kind::corner; });
     return vertices;
   }
 
@@ -148,7 +167,9 @@ class Search {
 
   double uniform() { return 2 * base::unit_interval(random_()) - 1; }
 
-  void try_positions(Index v, double radius) {
+  // Returns whether a position was better; on the target of the vertex, unless it is free.
+  bool try_positions(Index v, double radius, bool free) {
+    bool moved = false;
     constexpr int trials = 8, far_trials = 4;
     constexpr double near = 0.2;       // of the radius
     constexpr double gain = 1e-3;      // of what is missing
@@ -160,10 +181,10 @@ class Search {
       const double place = targets_.place(v), reach = radius * edge * (trial < far_trials ? 1 : near);
       const double x = uniform(), y = uniform(), z = uniform();
       Vector3 to = from + reach * Vector3(x, y, z);
-      if (targets_.kind(v) == FeatureTargets::Kind::arc) {
+      if (!free && targets_.kind(v) == FeatureTargets::Kind::arc) {
         targets_.set_place(v, targets_.clamped_place(v, place + reach * x));
         to = targets_.shape().point(targets_.arc(v), targets_.place(v));
-      } else if (targets_.kind(v) == FeatureTargets::Kind::patch &&
+      } else if (!free && targets_.kind(v) == FeatureTargets::Kind::patch &&
                  (targets_.target(v, from).position - from).norm() < on_patch) {
         to = targets_.target(v, to).position;
       }
@@ -173,11 +194,13 @@ class Search {
       if (better) {
         missing = now;
         sum = sum_around(v);
+        moved = true;
       } else {
         mesh_.positions[v] = from;
         targets_.set_place(v, place);
       }
     }
+    return moved;
   }
 
   HexMesh& mesh_;
@@ -199,6 +222,10 @@ std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTarget
   const std::size_t left = search.snap();
   search.improve();
   return left == 0 ? 0 : search.snap();
+}
+
+std::size_t free_folded_hexahedra(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host) {
+  return Search(mesh, targets, bound, host).free_folded();
 }
 
 }  // namespace orbicube::hexmesh

@@ -23,7 +23,8 @@ FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const m
       triangles_(triangles),
       positions_(scaled(positions, scale, host.memory)),
       along_(graph.vertices.size(), 0, host.memory),
-      fades_(host.memory),
+      bends_(host.memory),
+      bends_and_fades_(host.memory),
       by_patch_(
           graph.euler.size(),
           [&](const auto& visit) {
@@ -37,14 +38,19 @@ FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const m
     const Vector3 normal = (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
     normals_.push_back(normal.stableNormalized());
   }
-  Array<std::uint8_t> fades(positions.size(), 0, host.memory);
+  Array<std::uint8_t> bend(positions.size(), 0, host.memory), fade(positions.size(), 0, host.memory);
+  for (const Index v : graph.bends)
+    bend[v] = 1;
   for (const Index v : graph.fades)
-    fades[v] = 1;
+    fade[v] = 1;
   for (const mesh::FeatureArc& arc : graph.arcs) {
-    auto& of_arc = fades_.emplace_back();
+    auto &bends = bends_.emplace_back(), &all = bends_and_fades_.emplace_back();
     for (Index i = arc.begin + 1; i < arc.end; ++i) {
-      along_[i] = along_[i - 1] + (positions_[graph.vertices[i]] - positions_[graph.vertices[i - 1]]).norm();
-      if (i + 1 < arc.end && fades[graph.vertices[i]] != 0) of_arc.push_back(along_[i]);
+      const Index v = graph.vertices[i];
+      along_[i] = along_[i - 1] + (positions_[v] - positions_[graph.vertices[i - 1]]).norm();
+      if (i + 1 == arc.end) continue;
+      if (bend[v] != 0) bends.push_back(along_[i]);
+      if (bend[v] != 0 || fade[v] != 0) all.push_back(along_[i]);
     }
   }
   for (std::size_t p = 0; p < graph.euler.size(); ++p)

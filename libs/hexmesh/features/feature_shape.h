@@ -29,8 +29,10 @@ class FeatureShape {
   Index other_corner(const mesh::FeatureEnd& end) const { return graph_.arcs[end.arc].corners[1 - end.end]; }
   // The angle in radians by which the chord to the point at s + window / 2 turns from that of s - window / 2.
   double turning(Index arc, double s, double window) const;
-  // The arc lengths at which the sharp line of an arc goes on along weaker edges, ascending.
-  std::span<const double> fades(Index arc) const { return fades_[arc]; }
+  // The arc lengths at which the sharp line of an arc bends without a corner, ascending; with those at which it goes on
+  // along weaker edges.
+  std::span<const double> bends(Index arc) const { return bends_[arc]; }
+  std::span<const double> bends_and_fades(Index arc) const { return bends_and_fades_[arc]; }
   double length(Index arc) const { return along_[graph_.arcs[arc].end - 1]; }
   // Whether an arc shorter than `length` joins two corners.
   bool joined(Index corner, Index other, double length) const;
@@ -67,7 +69,7 @@ class FeatureShape {
   std::span<const mesh::Triangle> triangles_;
   Array<Vector3> positions_;
   Array<double> along_;  // arc length of each of graph_.vertices
-  Array<Array<double>> fades_;
+  Array<Array<double>> bends_, bends_and_fades_;
   base::Groups<mesh::Triangle, Index> by_patch_;
   Array<Vector3> normals_;                    // of by_patch_.all()
   std::deque<mesh::SurfaceSearch> searches_;  // of each patch

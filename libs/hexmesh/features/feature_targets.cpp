@@ -167,7 +167,7 @@ void FeatureTargets::keep_near_fades(Index arc) {
   };
   for (const Index v : path)
     kept_[v] = 0;
-  for (const double s : shape_->fades(arc)) {
+  for (const double s : shape_->bends_and_fades(arc)) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < path.size(); ++i) {
       if (std::abs(place_of(i) - s) < std::abs(place_of(nearest) - s)) nearest = i;

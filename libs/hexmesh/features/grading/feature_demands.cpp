@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace orbicube::hexmesh {
@@ -43,11 +44,22 @@ FeatureDemands::FeatureDemands(const FeatureShape& shape, double reach, double s
   }
 }
 
+// Of an arc that bends without corners: for each of its straight parts.
 void FeatureDemands::add_arc(Index arc) {
+  constexpr double at_bends = 0.7;  // of the strength: one cell is enough where paths do not branch
   const auto v = shape_.graph().vertices_of(shape_.graph().arcs[arc]);
+  const auto bends = shape_.bends(arc);
   const double length = shape_.length(arc);
-  for (std::size_t i = 1; i < v.size(); ++i)
-    demands_.push_back({shape_.positions()[v[i - 1]], shape_.positions()[v[i]], length, arc, arc, length});
+  double from = 0, at = 0;
+  std::size_t next = 0;
+  const auto end_of_part = [&] { return next < bends.size() ? bends[next] : length; };
+  for (std::size_t i = 1; i < v.size(); ++i) {
+    const Vector3 &a = shape_.positions()[v[i - 1]], &b = shape_.positions()[v[i]];
+    const double part = end_of_part() - from;
+    demands_.push_back({a, b, bends.empty() ? part : part / at_bends, arc, arc, length});
+    at += (b - a).norm();
+    if (next < bends.size() && at >= bends[next]) from = bends[next++];
+  }
 }
 
 void FeatureDemands::add_turns(Index arc, double straight) {
@@ -55,6 +67,8 @@ void FeatureDemands::add_turns(Index arc, double straight) {
   const auto places = static_cast<int>(std::ceil(4 * length / window));
   for (int i = 1; i < places; ++i) {
     const double s = std::clamp(length * i / places, window / 2, length - window / 2);
+    const auto bends = shape_.bends(arc);
+    if (std::any_of(bends.begin(), bends.end(), [&](double b) { return std::abs(b - s) < window / 2; })) continue;
     const double turning = 2 * shape_.turning(arc, s, window), size = window * max_turning / turning;
     if (size >= straight) continue;
     demands_.push_back({shape_.point(arc, s - window / 4), shape_.point(arc, s + window / 4), length, arc, arc, size});
@@ -72,8 +86,24 @@ void FeatureDemands::add_gaps(Index arc, Index other, double reach) {
 
 void FeatureDemands::refine(std::span<const double> strength, double wider, AxisGrading& grading) const {
   for (const Demand& d : demands_)
-    grading.refine(d.from, d.to, std::min(wider * d.max_size, d.size / std::max(strength[d.arc], strength[d.other])));
+    grading.refine(d.from, d.to, std::min(wider * d.max_size, d.size_for(strength)));
   grading.spread();
+}
+
+Array<Index> FeatureDemands::most_demanding(std::span<const double> strength, const base::Host& host) const {
+  constexpr double about = 1.5;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Demand& d : demands_)
+    least = std::min(least, d.size_for(strength));
+  Array<Index> arcs(host.memory);
+  for (const Demand& d : demands_) {
+    if (d.size_for(strength) > about * least) continue;
+    arcs.push_back(d.arc);
+    arcs.push_back(d.other);
+  }
+  std::sort(arcs.begin(), arcs.end());
+  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  return arcs;
 }
 
 }  // namespace orbicube::hexmesh

@@ -2,6 +2,8 @@
 // arcs that are close to each other without meeting; and along arcs that turn.
 #pragma once
 
+#include <algorithm>
+
 #include "hexmesh/features/feature_shape.h"
 #include "hexmesh/features/grading/axis_grading.h"
 
@@ -16,18 +18,22 @@ class FeatureDemands {
   // requires; of two arcs with a gap between the larger counts. Cells along bends may be `wider` times as wide as
   // usual.
   void refine(std::span<const double> strength, double wider, AxisGrading& grading) const;
+  // Returns the arcs that require the smallest cells, up to 1.5 times the smallest of all, ascending.
+  Array<Index> most_demanding(std::span<const double> strength, const base::Host& host) const;
 
  private:
-  void add_arc(Index arc);
-  void add_turns(Index arc, double straight);
-  void add_gaps(Index arc, Index other, double reach);
-
   struct Demand {
     Vector3 from, to;
     double size = 0;  // of one cell, for the strength 1
     Index arc = 0, other = 0;
     double max_size = 0;  // for any strength, where it is a bend
+
+    double size_for(std::span<const double> strength) const { return size / std::max(strength[arc], strength[other]); }
   };
+
+  void add_arc(Index arc);
+  void add_turns(Index arc, double straight);
+  void add_gaps(Index arc, Index other, double reach);
 
   const FeatureShape& shape_;
   Array<Demand> demands_;

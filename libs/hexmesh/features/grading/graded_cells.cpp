@@ -57,17 +57,34 @@ GradedCells::GradedCells(const GradedSurface& surface, const base::Host& host)
   in_cells_.emplace(surface.cells, triangles, graph, scale_, host);
 }
 
-std::optional<FeatureObstacle> GradedCells::embed() {
+Array<FeatureObstacle> GradedCells::embed() {
+  constexpr int max_choices = 8;  // of ends of arcs, around those that were shut in before
   BoundaryQuads quads(mesh_.hexahedra, mesh_.positions.size(), host_);
-  if (auto obstacle = place_corners(mesh_, quads, *in_cells_, embedding_, host_)) return obstacle;
-  if (auto obstacle = choose_arc_ends(mesh_, quads, *in_cells_, embedding_, host_)) return obstacle;
-  std::optional<FeatureObstacle> obstacle;
+  const auto only = [&](std::optional<FeatureObstacle> obstacle) {
+    Array<FeatureObstacle> obstacles(host_.memory);
+    if (obstacle) obstacles.push_back(std::move(*obstacle));
+    return obstacles;
+  };
+  if (auto obstacle = place_corners(mesh_, quads, *in_cells_, embedding_, host_)) return only(std::move(obstacle));
+  Array<FeatureObstacle> obstacles(host_.memory);
+  int choices = 0;
   for (const double price : {3.0, 1.0, 0.3}) {
-    obstacle = route_arcs(mesh_, quads, *in_cells_, price, embedding_, host_);
-    if (!obstacle) obstacle = match_patches(mesh_, quads, *in_cells_, embedding_, host_);
-    if (!obstacle) return add_rings(quads);
+    Routing routing(host_.memory);
+    do {
+      if (choices == 0 || routing.choose_again) {
+        if (choices++ == max_choices) break;
+        if (auto obstacle = choose_arc_ends(mesh_, quads, *in_cells_, embedding_, host_))
+          return only(std::move(obstacle));
+      }
+      routing = route_arcs(mesh_, quads, *in_cells_, price, embedding_, host_);
+    } while (routing.choose_again && routing.obstacles.empty());
+    obstacles = std::move(routing.obstacles);
+    if (routing.choose_again && obstacles.empty())
+      return only(FeatureObstacle{no_index, no_index, "arcs shut in others, wherever they begin"});
+    if (obstacles.empty()) obstacles = only(match_patches(mesh_, quads, *in_cells_, embedding_, host_));
+    if (obstacles.empty()) return only(add_rings(quads));
   }
-  return obstacle;
+  return obstacles;
 }
 
 // A layer on each patch, closed along its border: arcs get two quads a side at their corners, whatever their paths.

@@ -28,8 +28,8 @@ class GradedCells {
   // Keeps a reference to the surface. Throws Error "no-valid-result" as voxel_hexahedra() does.
   GradedCells(const GradedSurface& surface, const base::Host& host);
 
-  // Returns what is in the way.
-  std::optional<FeatureObstacle> embed();
+  // Returns what is in the way; nothing: the graph is embedded.
+  Array<FeatureObstacle> embed();
   // After embed(), once: moves the mesh to space. Lengths there are multiplied by unit().
   void move_to_space();
   // After move_to_space().

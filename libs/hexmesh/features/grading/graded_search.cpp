@@ -38,7 +38,8 @@ GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const m
       max_cells_(max_cells),
       shape_(positions, triangles, graph, 1, host),
       demands_(shape_, most_strength * size_of(whole_.volume, cells), size_of(whole_.volume, cells), host),
-      strength_(graph.arcs.size(), first_strength, host.memory) {}
+      strength_(graph.arcs.size(), first_strength, host.memory),
+      obstacles_(host.memory) {}
 
 std::optional<EmbeddedCells> GradedSearch::next() {
   for (; attempts_ < max_attempts; ++attempts_) {
@@ -52,36 +53,45 @@ std::optional<EmbeddedCells> GradedSearch::next() {
         wider_ *= at_bends;
         continue;
       }
-      if (obstacle_.why.empty()) {
-        obstacle_.why = "it needs about " + std::to_string(static_cast<std::size_t>(hexahedra_)) +
-                        " hexahedra, more than the " + std::to_string(static_cast<std::size_t>(max_cells_)) +
-                        " that --cells and --max-cells allow";
-      }
+      require_fewer_cells();
       return {};
     }
     const Vector3 in_box = now.grading->cells(whole_.high) - now.grading->cells(whole_.low);
     if (in_box.prod() > most_in_box * max_cells_) {
-      obstacle_ = {no_index, no_index, "the solid fills too small a part of its box along the axes"};
+      set_obstacle("the solid fills too small a part of its box along the axes");
       return {};
     }
-    std::optional<FeatureObstacle> obstacle;
     try {
       now.cells = std::make_unique<GradedCells>(*now.surface, host_);
-      obstacle = now.cells->embed();
+      obstacles_ = now.cells->embed();
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
-      obstacle = FeatureObstacle{no_index, no_index, error.what()};
+      set_obstacle(error.what());
     }
-    if (!obstacle) {
+    if (obstacles_.empty()) {
       now.cells->move_to_space();
       ++attempts_;
       return now;
     }
-    obstacle_ = *obstacle;
     if (attempts_ % attempts_at_bends == attempts_at_bends - 1) wider_ = std::min(widest, wider_ * at_bends);
-    refine_at(obstacle_, at_obstacle);
+    refine_at(obstacles_, at_obstacle);
   }
   return {};
+}
+
+// What was in the way before remains so; else it is what requires the smallest cells.
+void GradedSearch::require_fewer_cells() {
+  if (!obstacles_.empty()) return;
+  const std::string why = "it needs about " + std::to_string(static_cast<std::size_t>(hexahedra_)) +
+                          " hexahedra, more than the " + std::to_string(static_cast<std::size_t>(max_cells_)) +
+                          " that --cells and --max-cells allow";
+  for (const Index arc : demands_.most_demanding(strength_, host_))
+    obstacles_.push_back({no_index, arc, why});
+}
+
+void GradedSearch::set_obstacle(std::string why) {
+  obstacles_.clear();
+  obstacles_.push_back({no_index, no_index, std::move(why)});
 }
 
 bool GradedSearch::strengthen(Index arc, double factor) {
@@ -90,7 +100,7 @@ bool GradedSearch::strengthen(Index arc, double factor) {
   return strength_[arc] > before;
 }
 
-void GradedSearch::refine_at(const FeatureObstacle& obstacle, double factor) {
+bool GradedSearch::strengthen_at(const FeatureObstacle& obstacle, double factor) {
   bool finer = false;
   const auto around = [&](Index corner, double by) {
     for (const mesh::FeatureEnd& end : graph_.around[corner])
@@ -98,10 +108,17 @@ void GradedSearch::refine_at(const FeatureObstacle& obstacle, double factor) {
   };
   if (obstacle.corner != no_index) around(obstacle.corner, factor);
   if (obstacle.arc != no_index) {
-    finer = strengthen(obstacle.arc, std::sqrt(factor));
+    finer = strengthen(obstacle.arc, std::sqrt(factor)) || finer;
     for (const Index corner : graph_.arcs[obstacle.arc].corners)
       around(corner, std::sqrt(factor));
   }
+  return finer;
+}
+
+void GradedSearch::refine_at(std::span<const FeatureObstacle> obstacles, double factor) {
+  bool finer = false;
+  for (const FeatureObstacle& obstacle : obstacles)
+    finer = strengthen_at(obstacle, factor) || finer;
   if (!finer) refine_everywhere(everywhere);
 }
 

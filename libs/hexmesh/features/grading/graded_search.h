@@ -23,18 +23,21 @@ class GradedSearch {
   GradedSearch(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                const mesh::FeatureGraph& graph, double cells, double max_cells, const base::Host& host);
 
-  // The next grid with the graph embedded, or none, with what was in the way in obstacle().
+  // The next grid with the graph embedded, or none, with what was in the way of the last attempt in obstacles().
   std::optional<EmbeddedCells> next();
-  const FeatureObstacle& obstacle() const { return obstacle_; }
+  std::span<const FeatureObstacle> obstacles() const { return obstacles_; }
   double cells() const { return hexahedra_; }  // about, of the last attempt
 
   // Requests smaller cells: at what was in the way of a mesh, or of all sizes.
-  void refine_at(const FeatureObstacle& obstacle, double factor);
+  void refine_at(std::span<const FeatureObstacle> obstacles, double factor);
   void refine_everywhere(double factor);
 
  private:
-  // Returns whether it changes anything.
+  void require_fewer_cells();
+  void set_obstacle(std::string why);
+  // Return whether they change anything.
   bool strengthen(Index arc, double factor);
+  bool strengthen_at(const FeatureObstacle& obstacle, double factor);
 
   std::span<const Vector3> positions_;
   std::span<const mesh::Triangle> triangles_;
@@ -47,7 +50,7 @@ class GradedSearch {
   Array<double> strength_;  // of each arc
   double wider_ = 1;        // cells along bends than they should be
   int attempts_ = 0;
-  FeatureObstacle obstacle_;
+  Array<FeatureObstacle> obstacles_;
 };
 
 }  // namespace orbicube::hexmesh
