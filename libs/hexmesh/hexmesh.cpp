@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -154,7 +155,21 @@ FrameFigures figures_of(const FrameHexes& made) {
   return figures;
 }
 
-Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, std::size_t max_fields) {
+// How much is tried for hexahedra along frames, where there are other strategies or none. A first field with more
+// faults than that has hardly ever another one without (measured: 0 to 2 where there is one, 100 and more elsewhere).
+enum class Effort : std::uint8_t { all, few_fields, hopeful };
+
+FrameHexOptions with_effort(FrameHexOptions options, Effort effort) {
+  constexpr std::size_t few_fields = 3;  // what has a map at all has one along the first or the second most often
+  if (effort != Effort::all) options.max_fields = few_fields;
+  if (effort == Effort::hopeful) {
+    options.max_faults = 20;
+    options.map_attempts = 2;
+  }
+  return options;
+}
+
+Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, Effort effort) {
   const Options& o = work.options;
   const auto begin = Clock::now();
   work.findings.examined = false;
@@ -164,13 +179,13 @@ Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, std::si
   work.findings.examined = true;
   const double fill_seconds = seconds_since(begin);
   const auto start = Clock::now();
-  const FrameHexOptions options = {.cells = o.cells,
-                                   .rounds = o.rounds,
-                                   .distance = o.distance,
-                                   .max_cells = o.max_cells,
-                                   .fine_positions = framed.fine.positions,
-                                   .fine_triangles = framed.fine.triangles,
-                                   .max_fields = max_fields};
+  const FrameHexOptions options = with_effort({.cells = o.cells,
+                                               .rounds = o.rounds,
+                                               .distance = o.distance,
+                                               .max_cells = o.max_cells,
+                                               .fine_positions = framed.fine.positions,
+                                               .fine_triangles = framed.fine.triangles},
+                                              effort);
   FrameHexes found = o.frames.empty()
                          ? make_hexahedra_along_frames(framed.solid.positions, framed.solid.tetrahedra,
                                                        feature_angle * std::numbers::pi / 180, options, work.host)
@@ -220,11 +235,9 @@ bool frames_may(const Work& work) {
   return work.options.padding == Padding::automatic;
 }
 
-std::optional<Hexahedra> tried_along_frames(const Work& work) {
-  // Each takes long, and what has a map at all has one along the first or the second most often.
-  constexpr std::size_t few_fields = 3;
+std::optional<Hexahedra> tried_along_frames(const Work& work, Effort effort) {
   try {
-    return hexahedra_along_frames(work, feature_angle_of(work.options), few_fields);
+    return hexahedra_along_frames(work, feature_angle_of(work.options), effort);
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
     work.host.log(std::string("no hexahedra along frames: ") + error.what());
@@ -244,7 +257,7 @@ Hexahedra best_of_cells(const Work& work, bool machined, std::optional<Hexahedra
     if (must_end(error)) throw;
     const bool examined = work.findings.examined;
     if (!made && !machined && frames_may(work) && std::string_view(error.kind()) == "no-valid-result")
-      take(tried_along_frames(work));
+      take(tried_along_frames(work, Effort::few_fields));
     work.findings.examined = examined;
     if (!made) throw;
   }
@@ -254,15 +267,14 @@ Hexahedra best_of_cells(const Work& work, bool machined, std::optional<Hexahedra
 Hexahedra best_hexahedra(const Work& work) {
   const bool machined = frames_may(work) && surface_is(is_machined, work);
   std::optional<Hexahedra> made;
-  if (machined) made = tried_along_frames(work);
+  if (machined) made = tried_along_frames(work, Effort::few_fields);
   if (made && made->result.quality.min_scaled_jacobian > poor && excess(made->result, work.options.distance) <= 1)
     return std::move(*made);
   return best_of_cells(work, machined, std::move(made));
 }
 
 Hexahedra by_strategy(const Work& work) {
-  if (by_frames(work.options))
-    return hexahedra_along_frames(work, feature_angle_of(work.options), FrameHexOptions{}.max_fields);
+  if (by_frames(work.options)) return hexahedra_along_frames(work, feature_angle_of(work.options), Effort::all);
   if (work.options.method == Method::polycube || work.options.given.target != nullptr)
     return hexahedra_of_cells(work, HexMethod::polycube);
   if (work.options.method == Method::grid) return hexahedra_of_cells(work, HexMethod::grid);
@@ -303,7 +315,8 @@ class WithFeatures {
     const bool machined = !by_grid_ && frames_may(work_) && surface_is(is_machined, work_);
     if (machined) {
       const base::Stage stage(work_.host, 0.3);
-      if (auto now = tried_along_frames(work_)) take(std::move(*now), false);
+      if (auto now = tried_along_frames(work_, keeper_.can_embed() ? Effort::hopeful : Effort::few_fields))
+        take(std::move(*now), false);
       if (near() && keeper_.complete() && least() >= std::min(poor, keeper_.bound())) return;
     }
     embed();

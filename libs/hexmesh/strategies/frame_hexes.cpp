@@ -143,8 +143,9 @@ struct Grid {
   volume_map::FrameMap map;
   HexMesh mesh;
 
-  Grid(const volume_map::FramedSolid& solid, double cell_length, const base::Host& host)
-      : map(volume_map::map_by_frames(solid, {.cell_length = cell_length}, host)), mesh(extract_hexahedra(map, host)) {
+  Grid(const volume_map::FramedSolid& solid, double cell_length, int attempts, const base::Host& host)
+      : map(volume_map::map_by_frames(solid, {.cell_length = cell_length, .max_attempts = attempts}, host)),
+        mesh(extract_hexahedra(map, host)) {
     if (mesh.hexahedra.empty()) throw base::Error("no-valid-result", "the grid has no cell in the solid");
   }
 };
@@ -155,15 +156,16 @@ bool is_refusal(const base::Error& error) {
 
 // Where few layers became fewer by rounding there are far fewer cells than were requested: then shorter ones are tried,
 // and kept if that is nearer.
-Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::size_t cells, const base::Host& host) {
+Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::size_t cells, int attempts,
+                   const base::Host& host) {
   constexpr double few = 0.7;
   const double cell_length = std::cbrt(volume / static_cast<double>(cells));
-  Grid grid(solid, cell_length, host);
+  Grid grid(solid, cell_length, attempts, host);
   const double part = static_cast<double>(grid.mesh.hexahedra.size()) / static_cast<double>(cells);
   // Of a dozen cells each is a layer: there is nothing to choose.
   if (part > few || cells < 100) return grid;
   try {
-    Grid finer(solid, cell_length * std::cbrt(part), host);
+    Grid finer(solid, cell_length * std::cbrt(part), attempts, host);
     const double now = static_cast<double>(finer.mesh.hexahedra.size()) / static_cast<double>(cells);
     if (now > part && now * part < 1) grid = std::move(finer);
   } catch (const base::Error& error) {
@@ -242,8 +244,9 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
         if (!first_refusal) first_refusal = std::current_exception();
       }
     } else {
-      host.log("field " + std::to_string(fields) + ": " +
-               base::counted(faults, "edge or vertex", "edges and vertices") + " of no hexahedra");
+      const std::string text = base::counted(faults, "edge or vertex", "edges and vertices") + " of no hexahedra";
+      host.log("field " + std::to_string(fields) + ": " + text);
+      if (faults > options.max_faults) throw base::Error("no-valid-result", "the frame field has " + text);
     }
     if (faults >= fewest) continue;
     fewest = faults;
@@ -270,7 +273,7 @@ FrameHexes make_hexahedra_by_frames(const volume_map::FramedSolid& solid, const 
   for (std::size_t cells = options.cells;; cells *= 2) {
     const base::Stage stage(host, 0.5);
     try {
-      take_better(best, grid_of_cells(solid, volume, cells, host), volume, options, host);
+      take_better(best, grid_of_cells(solid, volume, cells, options.map_attempts, host), volume, options, host);
     } catch (const base::Error& error) {
       // More cells are there for the distance alone.
       if (!best || !is_refusal(error)) throw;

@@ -2,6 +2,8 @@
 // boundary on the surface; the result is certified.
 #pragma once
 
+#include <cstdint>
+
 #include "hexmesh/strategies/hex_meshing.h"
 #include "volume_map/frames/frame_map.h"
 
@@ -18,6 +20,8 @@ struct FrameHexOptions {
   std::span<const mesh::Triangle> fine_triangles = {};
   // Where frames are not given: the number of fields to try.
   std::size_t max_fields = 7;
+  std::size_t max_faults = SIZE_MAX;  // of a field, in edges and vertices of no hexahedra; more, and no other is tried
+  int map_attempts = 5;               // of each map (volume_map::FrameMapOptions)
 };
 
 struct FrameHexes {

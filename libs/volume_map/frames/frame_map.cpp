@@ -40,9 +40,8 @@ class Mapping {
     }
     split_for_frames(solid, host_);
     // Where few stay inverted, these get more room.
-    constexpr int max_attempts = 5;
     Array<Index> bad(host_.memory);
-    for (int attempt = 1; !attempt_map(attempt == max_attempts, bad); ++attempt) {
+    for (int attempt = 1; !attempt_map(attempt == options_.max_attempts, bad); ++attempt) {
       split_around(solid, bad, host_);
       split_for_frames(solid, host_);
     }

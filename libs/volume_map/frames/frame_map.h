@@ -12,6 +12,7 @@ namespace orbicube::volume_map {
 
 struct FrameMapOptions {
   double cell_length = 0;  // of the grid in space
+  int max_attempts = 5;    // each with more tetrahedra around those that stayed inverted in the last
 };
 
 struct FrameMap {
