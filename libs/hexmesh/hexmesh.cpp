@@ -307,6 +307,9 @@ class WithFeatures {
 
  private:
   bool near() const { return best_ && excess(best_->result, work_.options.distance) <= 1; }
+  // No farther from the surface than what is returned at all: what is nearer with less of the features is not
+  // preferred.
+  bool may_be_returned() const { return best_ && excess(best_->result, work_.options.distance) <= refused_excess; }
   double least() const { return best_->result.quality.min_scaled_jacobian; }
 
   // On frames, or on a polycube where all is at right angles, there may be a better mesh than that with the graph
@@ -320,7 +323,8 @@ class WithFeatures {
       if (near() && keeper_.complete() && least() >= std::min(poor, keeper_.bound())) return;
     }
     embed();
-    if (near() && keeper_.nearly_complete() && (by_grid_ || !keeper_.rectangular() || least() > poor)) return;
+    if (may_be_returned() && keeper_.nearly_complete() && (by_grid_ || !keeper_.rectangular() || least() > poor))
+      return;
     Options options = work_.options;
     if (near()) options.max_cells = options.cells;  // more cells are for the distance only
     const Work work = {work_.input, options, work_.findings, work_.host, work_.exponent};

@@ -31,8 +31,7 @@ bool has_all(const FeatureFigures& figures) {
 bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult& y, const FeatureFigures& of_y,
                 double distance) {
   constexpr double same = 1e-3;  // of the length
-  constexpr double refused = 2;  // excess of a result that is an error
-  if (excess(y, distance) > refused && excess(x, distance) < excess(y, distance)) return true;
+  if (excess(y, distance) > refused_excess && excess(x, distance) < excess(y, distance)) return true;
   const double near = std::max(1.0, excess(y, distance));
   if (excess(x, distance) > near) return false;
   if (has_all(of_x) && has_all(of_y)) return better(x, y, distance);
@@ -90,10 +89,13 @@ bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* 
 
 FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool once) {
   constexpr std::size_t most_fitted = 12;  // of the option `cells`: a fit of the largest mesh, or several of others
+  constexpr double rings_saved = 1.2;     // about, of the number of hexahedra that is expected over that of a mesh
+  const std::size_t left = std::max(most_fitted * choice_.cells, fitted_) - fitted_;
+  const auto affordable = static_cast<std::size_t>(rings_saved * static_cast<double>(left));
   try {
     FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph,
                                           {.cells = choice_.cells,
-                                           .max_cells = choice_.max_cells,
+                                           .max_cells = std::min(choice_.max_cells, affordable),
                                            .distance = choice_.distance,
                                            .rounds = choice_.rounds,
                                            .bound = scaled_jacobian_bound(surface, host_),
@@ -104,7 +106,7 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
                                                  measure_captured(mesh, surface, figures, host_);
                                                  return figures;
                                                },
-                                           .max_fitted = std::max(most_fitted * choice_.cells, fitted_) - fitted_},
+                                           .max_fitted = left},
                                           host_);
     fitted_ += made.fitted;
     return made;

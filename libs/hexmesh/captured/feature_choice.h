@@ -10,6 +10,8 @@
 
 namespace orbicube::hexmesh {
 
+constexpr double refused_excess = 2;  // excess() of a result that is an error
+
 struct FeatureChoice {
   FeatureRequest request;
   // As in Options.

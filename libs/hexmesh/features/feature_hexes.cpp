@@ -20,11 +20,11 @@ namespace {
 // Meshes that are fitted, each after other cells. They limit the work, which is proportional to the cells; hardly any
 // part succeeds later.
 constexpr int max_fits = 3;
-constexpr double part_of_rounds = 0.6;              // of smoothing: as good as all, in two thirds of the time
-constexpr double more_cells = 1.6, most_cells = 8;  // of the option
-constexpr double finer = 1.5;                       // where a fit failed
-constexpr double finer_at_missing = 1.25;           // at arcs that a mesh lacks
-constexpr double all_captured = 0.99;               // of the length
+constexpr double part_of_rounds = 0.6;  // of smoothing: as good as all, in two thirds of the time
+constexpr double more_cells = 1.6, least_more_cells = 1.1, most_cells = 8;  // of the option
+constexpr double finer = 1.5;                                               // where a fit failed
+constexpr double finer_at_missing = 1.25;                                   // at arcs that a mesh lacks
+constexpr double all_captured = 0.99;                                       // of the length
 
 Index nearest_arc(const FeatureShape& shape, const Vector3& place) {
   double least = std::numeric_limits<double>::infinity();
@@ -188,8 +188,14 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     made.found = true;
     if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
-    excess(made.result, options.distance) > 1 ? search.refine_everywhere(more_cells)
-                                              : refine_at_missing(figures, search);
+    if (excess(made.result, options.distance) > 1) {
+      // The square: cells become more along all axes where their size matters.
+      const double room = 0.95 * std::sqrt(most / search.cells());
+      if (room < least_more_cells) break;
+      search.refine_everywhere(std::min(more_cells, room));
+    } else {
+      refine_at_missing(figures, search);
+    }
   }
   if (made.found) made.obstacle.clear();
   return made;
