@@ -132,6 +132,20 @@ void refine_at_missing(const FeatureFigures& figures, GradedSearch& search) {
   if (none) search.refine_everywhere(finer_at_missing);
 }
 
+// Smaller cells everywhere where a mesh is too far from the surface, and else at the arcs that it lacks. Returns
+// whether there is room below `most` cells.
+bool refine_for_more(bool far, double most, const FeatureFigures& figures, GradedSearch& search) {
+  if (!far) {
+    refine_at_missing(figures, search);
+    return true;
+  }
+  // The square: cells become more along all axes where their size matters.
+  const double room = 0.95 * std::sqrt(most / search.cells());
+  if (room < least_more_cells) return false;
+  search.refine_everywhere(std::min(more_cells, room));
+  return true;
+}
+
 }  // namespace
 
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
@@ -188,14 +202,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     made.found = true;
     if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
-    if (excess(made.result, options.distance) > 1) {
-      // The square: cells become more along all axes where their size matters.
-      const double room = 0.95 * std::sqrt(most / search.cells());
-      if (room < least_more_cells) break;
-      search.refine_everywhere(std::min(more_cells, room));
-    } else {
-      refine_at_missing(figures, search);
-    }
+    if (!refine_for_more(excess(made.result, options.distance) > 1, most, figures, search)) break;
   }
   if (made.found) made.obstacle.clear();
   return made;
