@@ -88,9 +88,10 @@ bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* 
 }
 
 FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool once) {
-  constexpr std::size_t most_fitted = 12;  // of the option `cells`: a fit of the largest mesh, or several of others
-  constexpr double rings_saved = 1.2;      // about, of the number of hexahedra that is expected over that of a mesh
-  const std::size_t left = std::max(most_fitted * choice_.cells, fitted_) - fitted_;
+  constexpr std::size_t most_fitted = 8;  // of the option `cells`: a fit of the largest mesh, or several of others
+  constexpr std::size_t cheap = 5000;     // hexahedra that are fitted in a second or two in any case
+  constexpr double rings_saved = 1.2;     // about, of the number of hexahedra that is expected over that of a mesh
+  const std::size_t left = std::max({most_fitted * choice_.cells, cheap, fitted_}) - fitted_;
   const auto affordable = static_cast<std::size_t>(rings_saved * static_cast<double>(left));
   try {
     FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph,
