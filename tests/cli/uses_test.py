@@ -161,12 +161,17 @@ class Morphs(Uses):
 
     def test_landmarks_meet(self):
         a, b = self.made("creature", 3000), self.made("creature", 2000, seed=5, name="b.obj")
-        counts = [len(read_obj(path)[0]) for path in (a, b)]
+        in_box = []
+        for path in (a, b):
+            columns = list(zip(*read_obj(path)[0]))
+            in_box.append(list(zip(*[[(x - min(column)) / (max(column) - min(column)) for x in column] for column in columns])))
         landmarks = self.path("landmarks.txt")
         with open(landmarks, "w", encoding="ascii") as file:
-            file.write("# vertex of a, vertex of b\n\n")
+            file.write("# vertex of a, vertex of b in the same place of its box\n\n")
             for i in range(5):
-                file.write(f"{(i * counts[0]) // 5} {(i * counts[1]) // 5}  # {i}\n")
+                v = (i * len(in_box[0])) // 5
+                w = min(range(len(in_box[1])), key=lambda k, at=in_box[0][v]: math.dist(in_box[1][k], at))
+                file.write(f"{v} {w}  # {i}\n")
         report, _ = self.report("morph", a, b, "-o", self.path("morph.glb"), "--landmarks", landmarks)
         figures = report["shapes"][1]
         self.assertEqual(figures["landmarks"]["count"], 5)

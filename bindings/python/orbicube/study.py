@@ -91,7 +91,7 @@ class Study(Record):
         """A subject on the grid, where its file has it, a `Mesh`."""
         if name not in self.names:
             raise ValueError(f"name={name!r}: one of {', '.join(map(repr, self.names))} is needed")
-        return self._mesh("subjects", name + ".ply")
+        return self._mesh("subjects", f"{name}.ply")
 
     def open(self) -> None:
         """Opens the page in a browser."""
