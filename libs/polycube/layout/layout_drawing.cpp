@@ -124,7 +124,9 @@ void LayoutDrawing::place_nodes(const LayoutGuide& guide) {
     if (chosen != no_index && surface_.occupied[chosen])
       throw base::Error("no-valid-result", "two corners of the polycube are to be at one vertex");
     if (chosen == no_index) chosen = nearest_free_vertex(guide, n, normals, crowded);
-    if (chosen == no_index) throw base::Error("internal", "too few vertices for the nodes of a layout");
+    // Where positions are too degenerate for a distance.
+    if (chosen == no_index)
+      throw base::Error("no-valid-result", "a corner of the polycube or an end of a cut has no free vertex near it");
     drawing_.node_vertex[n] = chosen;
     surface_.occupied[chosen] = 1;
     surface_.for_each_outgoing(chosen, [&](Index h) { crowded[surface_.end(h)] = 1; });
