@@ -38,7 +38,8 @@ from judging import Section, diagonal_of, distances_to_surface, euler_characteri
 
 INTRODUCTION = """`bench/repair/damaged_scans.py --write` damages closed surfaces of genus 0 on purpose, repairs them by `orbicube repair` without options, and maps them to
 the sphere; seeds make the damage. All: 8 holes of 1 to 3 rings of triangles, 15 specks beside the surface and 5 inside, 8 flipped patches of up to 6 rings, 2 % of the triangles
-with duplicates of their vertices, 1 % slivers, and 5 fins. Repaired: closed, oriented, manifold, of genus 0, and no new pairs of triangles intersect. Lost: triangles that no damage
+with duplicates of their vertices, 1 % slivers, and 5 fins. Repaired: closed, oriented, manifold, of genus 0, and no triangles intersect
+farther than 0.5 % of the diagonal from where some did before. Lost: triangles that no damage
 touched and that are not in the result bit for bit. Outside: the largest distance of these from the result. Patches: that of new vertices from the undamaged surface. Both are
 fractions of the diagonal. Distortion: the mean quasi-conformal distortion of the map to the sphere, of the undamaged surface and of the repaired one. Rows that end in ** are faults.
 All is judged by programs that use nothing of the libraries."""
