@@ -12,6 +12,7 @@
 #include <limits>
 #include <span>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "base/error.h"
@@ -22,10 +23,14 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-// Fulfils requests for value and gradient, of `size` numbers, until the end, and returns the queried points from here
-// on; gives up where a run would not end.
-template <class Run, class Solver, class Function>
-Run drive_with_gradient(Solver& solver, std::size_t size, const Function& function) {
+// For solvers that ask for no products of the Hessian.
+struct NoProducts {};
+
+// Fulfils requests for value and gradient, of `size` numbers, and for products of the Hessian at x, by
+// multiply(x, direction, product), until the end. Returns the queried points from here on, without those of products;
+// gives up where a run would not end.
+template <class Run, class Solver, class Function, class Multiply = NoProducts>
+Run drive_with_gradient(Solver& solver, std::size_t size, const Function& function, const Multiply& multiply = {}) {
   using Request = decltype(solver.step());
   Run run;
   std::vector<double> gradient(size);
@@ -34,6 +39,13 @@ Run drive_with_gradient(Solver& solver, std::size_t size, const Function& functi
     const Request request = solver.step();
     if (request == Request::done) break;
     if (request == Request::iteration) continue;
+    if constexpr (!std::is_same_v<Multiply, NoProducts>) {
+      if (request == Request::need_product) {
+        multiply(solver.point(), solver.direction(), gradient);
+        solver.tell_product(gradient);
+        continue;
+      }
+    }
     run.asked.emplace_back(solver.point().begin(), solver.point().end());
     const double value = function(solver.point(), gradient);
     solver.tell(value, gradient);

@@ -83,13 +83,13 @@ void answer_product(so::Solver& solver, obc_sphere_optimizer_product_function pr
   const so::Shape& shape = solver.shape();
   const std::span<double> room = solver.gradient_room();
   std::fill(room.begin(), room.end(), std::numeric_limits<double>::quiet_NaN());  // what is not set is not known
-  const int32_t answer =
+  const int32_t reply =
       product(solver.point().data(), solver.direction().data(), shape.count, shape.dimension, room.data(), user);
-  if (answer == OBC_SPHERE_OPTIMIZER_CONTINUE) {
+  if (reply == OBC_SPHERE_OPTIMIZER_CONTINUE) {
     solver.tell_product(room);
   } else {
     solver.tell_product_failure();
-    if (answer != OBC_SPHERE_OPTIMIZER_FAILED) solver.cancel();
+    if (reply != OBC_SPHERE_OPTIMIZER_FAILED) solver.cancel();
   }
 }
 

@@ -177,6 +177,27 @@ void flatten(const untangle::Refined<corners, Vector>& from, obc_untangle_refine
   }
 }
 
+// What errors say of the elements that stay inverted.
+struct Staying {
+  const char *one, *many;
+};
+
+// on(host, body) runs `body` on a mesh and options, as above; `out` owns what it makes of them.
+template <class On>
+void refine(const obc_host* host, obc_untangle_refined** out, obc_untangle_report* report, const Staying& staying,
+            const On& on) {
+  capi::require(out != nullptr, "out is NULL");
+  *out = nullptr;
+  auto made = std::make_unique<obc_untangle_refined>(host);
+  on(made->adapter.host(), [&](const auto& mesh, const auto& options) {
+    const auto refined = untangle::untangle_refined(mesh, options, made->adapter.host());
+    capi::write_versioned(report, report_of(refined));
+    untangle::require_untangled(refined, refined.elements.size(), staying.one, staying.many);
+    flatten(refined, *made);
+  });
+  *out = made.release();
+}
+
 }  // namespace
 
 obc_status obc_untangle_options_init(obc_untangle_options* options, size_t struct_size) {
@@ -228,16 +249,9 @@ obc_status obc_untangle_refine_tetrahedra(const obc_untangle_tetrahedra_problem*
                                           const obc_untangle_options* options, const obc_host* host,
                                           obc_untangle_refined** out, obc_untangle_report* report, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(out != nullptr, "out is NULL");
-    *out = nullptr;
-    auto made = std::make_unique<obc_untangle_refined>(host);
-    on_tetrahedra(problem, options, report, made->adapter.host(), [&](const auto& mesh, const auto& o) {
-      const untangle::RefinedTetrahedra refined = untangle::untangle_refined(mesh, o, made->adapter.host());
-      capi::write_versioned(report, report_of(refined));
-      untangle::require_untangled(refined, refined.elements.size(), "tetrahedron stays", "tetrahedra stay");
-      flatten(refined, *made);
-    });
-    *out = made.release();
+    refine(
+        host, out, report, {"tetrahedron stays", "tetrahedra stay"},
+        [&](const base::Host& adapted, const auto& body) { on_tetrahedra(problem, options, report, adapted, body); });
   });
 }
 
@@ -245,16 +259,8 @@ obc_status obc_untangle_refine_triangles(const obc_untangle_triangles_problem* p
                                          const obc_untangle_options* options, const obc_host* host,
                                          obc_untangle_refined** out, obc_untangle_report* report, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(out != nullptr, "out is NULL");
-    *out = nullptr;
-    auto made = std::make_unique<obc_untangle_refined>(host);
-    on_triangles(problem, options, report, made->adapter.host(), [&](const auto& mesh, const auto& o) {
-      const untangle::RefinedTriangles refined = untangle::untangle_refined(mesh, o, made->adapter.host());
-      capi::write_versioned(report, report_of(refined));
-      untangle::require_untangled(refined, refined.elements.size(), "triangle stays", "triangles stay");
-      flatten(refined, *made);
-    });
-    *out = made.release();
+    refine(host, out, report, {"triangle stays", "triangles stay"},
+           [&](const base::Host& adapted, const auto& body) { on_triangles(problem, options, report, adapted, body); });
   });
 }
 

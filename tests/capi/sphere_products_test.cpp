@@ -73,7 +73,7 @@ TEST_CASE("With products by a callback and by steps a run ends in the same bits,
 TEST_CASE("A callback for products can stop the run or have none") {
   struct Plan {
     int calls = 0, at = -1;
-    std::int32_t answer = OBC_SPHERE_OPTIMIZER_CONTINUE;
+    std::int32_t reply = OBC_SPHERE_OPTIMIZER_CONTINUE;
   };
   const obc_sphere_optimizer_function f = [](const double* x, std::size_t, std::size_t, double* value, double* gradient,
                                              void*) -> std::int32_t {
@@ -84,7 +84,7 @@ TEST_CASE("A callback for products can stop the run or have none") {
                                                            std::size_t dimension, double* out,
                                                            void* user) -> std::int32_t {
     Plan& plan = *static_cast<Plan*>(user);
-    if (plan.calls++ == plan.at) return plan.answer;
+    if (plan.calls++ == plan.at) return plan.reply;
     return product_callback(x, direction, count, dimension, out, nullptr);
   };
   auto result = empty<obc_sphere_optimizer_result>();
@@ -96,8 +96,8 @@ TEST_CASE("A callback for products can stop the run or have none") {
   CHECK(plan.calls == 5);
   CHECK(evaluate(x.data(), gradient.data()) == result.value);
   // Also what says that it has set a product and has not.
-  for (const std::int32_t answer : {OBC_SPHERE_OPTIMIZER_FAILED, OBC_SPHERE_OPTIMIZER_CONTINUE}) {
-    plan = {0, 3, answer};
+  for (const std::int32_t reply : {OBC_SPHERE_OPTIMIZER_FAILED, OBC_SPHERE_OPTIMIZER_CONTINUE}) {
+    plan = {0, 3, reply};
     x = start();
     CHECK(obc_sphere_optimizer_minimize_second_order(charges, 3, nullptr, f, product, &plan, x.data(), &result, nullptr,
                                                      nullptr) == OBC_OK);

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 from command import COMMAND, InFolder, main, run
-from study_test import files_in
+from folders import files_in
 
 EXAMPLE = os.path.abspath(sys.argv.pop(2))
 OPTIONS = ("--grid", "icosphere:2", "--groups", "diagnosis", "--permutations", "99")

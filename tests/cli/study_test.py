@@ -18,6 +18,7 @@ import time
 import unittest
 
 from command import COMMAND, SANITIZED, Glb, InFolder, main, read_obj, run
+from folders import files_in
 from surface_test import nrrd, packed
 
 GRID = ("--grid", "icosphere:2")
@@ -27,16 +28,6 @@ POINTS = 162
 def rows_of(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
-
-
-def files_in(folder):
-    """The bytes of all files, by name."""
-    result = {}
-    for place, _, names in os.walk(folder):
-        for name in names:
-            with open(os.path.join(place, name), "rb") as file:
-                result[os.path.relpath(os.path.join(place, name), folder)] = file.read()
-    return result
 
 
 def point_data(path):
@@ -237,7 +228,7 @@ class Study(InFolder):
         self.study(folder)
         self.assertEqual(os.stat(self.path("out/subjects/a.json")).st_ino, written)
         self.assertEqual(files_in(self.path("out")), whole)
-        # What was damaged is found again.
+        # Damaged files are made again.
         kept["failed"]["message"] = "another"
         with open(self.path("out/subjects/a.json"), "w", encoding="utf-8") as file:
             json.dump(kept, file)

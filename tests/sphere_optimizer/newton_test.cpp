@@ -21,29 +21,10 @@ Options second_order(double gradient_tolerance = 1e-8) {
   return options;
 }
 
-// Fulfils every request; the queried points of products are not among those of the run.
-Run drive_second_order(Solver& solver, const Function& function, const Product& product) {
-  Run run;
-  std::vector<double> gradient(solver.shape().size());
-  for (Request request; (request = solver.step()) != Request::done;) {
-    if (request == Request::need_product) {
-      product(solver.point(), solver.direction(), gradient);
-      solver.tell_product(gradient);
-    } else if (request == Request::need_value_and_gradient) {
-      run.asked.emplace_back(solver.point().begin(), solver.point().end());
-      const double value = function(solver.point(), gradient);
-      solver.tell(value, gradient);
-    }
-  }
-  run.result = solver.result();
-  run.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return run;
-}
-
 Run run_second_order(const Problem& problem, const Product& product, const Options& options = second_order()) {
   const base::Host host;
   Solver solver(problem.shape, options, problem.start, host);
-  return drive_second_order(solver, problem.function, product);
+  return drive_with_gradient<Run>(solver, problem.start.size(), problem.function, product);
 }
 
 // Of a quadratic form, whose gradient is linear.
@@ -177,7 +158,7 @@ TEST_CASE("Saved while a product or a value is requested and loaded, a run goes 
       solver.save(blob);
       Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
       loaded.load(blob);
-      const Run rest = drive_second_order(loaded, problem.function, product);
+      const Run rest = drive_with_gradient<Run>(loaded, problem.start.size(), problem.function, product);
       CHECK(same_bits(rest.x, whole.x));
       CHECK(rest.result.products == whole.result.products);
     }

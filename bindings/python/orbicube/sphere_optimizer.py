@@ -87,10 +87,10 @@ class Solver(GradientRun):
             return super().run(f, progress)
         product: Callable[[Doubles, Doubles], ArrayLike] = hessian_product
 
-        def answer(x: Doubles) -> Any:
+        def reply(x: Doubles) -> Any:
             direction = self.direction
             return f(x) if direction is None else _Product(product(x, direction))
-        return super().run(answer, progress)
+        return super().run(reply, progress)
 
     def _answer(self, answer: Any) -> None:
         if isinstance(answer, _Product):

@@ -50,8 +50,8 @@ class Failed(NamedTuple):
 
 class Study(Record):
     """
-    What a study has written: `folder`; `report`, the figures of the command; and `failed`, the subjects that were left out. What
-    the files hold is read when it is asked for.
+    What a study has written: `folder`; `report`, the figures of the command; and `failed`, the subjects that were left out. The
+    contents of files are read at their first use.
     """
 
     def __init__(self, folder: str, report: Mapping[str, Any], failed: list[Failed]) -> None:

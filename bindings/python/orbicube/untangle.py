@@ -22,11 +22,12 @@ from .raw import untangle as raw
 __all__ = ["Refined", "refine_tetrahedra", "refine_triangles", "tetrahedra", "triangles", "version"]
 
 
-def _set_constraints(problem: Any, positions: Doubles, rest: Optional[ArrayLike], fixed: Optional[ArrayLike]) -> list[Any]:
-    """Sets rest positions and fixed vertices or coordinates; returns the arrays to keep."""
+def _set_constraints(problem: Any, positions: Doubles, rest: Optional[ArrayLike], fixed: Optional[ArrayLike],
+                     ties: Optional[ArrayLike]) -> list[Any]:
+    """Sets rest positions, fixed vertices or coordinates, and ties; returns the arrays to keep."""
     kept: list[Any] = []
     if rest is not None:
-        kept.append(doubles(rest, positions.shape[1], len(positions), "rest", each="vertex"))
+        kept.append(doubles(rest, 3, len(positions), "rest", each="vertex"))
         problem.rest = address(kept[-1])
     if fixed is not None:
         flags = numbers(fixed, "fixed")
@@ -38,6 +39,9 @@ def _set_constraints(problem: Any, positions: Doubles, rest: Optional[ArrayLike]
             problem.fixed = address(kept[-1])
         else:
             problem.fixed_coordinates = address(kept[-1])
+    if ties is not None:
+        kept.append(indices(ties, positions.shape[1], len(positions), "ties", each="vertex"))
+        problem.ties = address(kept[-1])
     return kept
 
 
@@ -49,12 +53,7 @@ def _tetrahedra_problem(solid: Any, rest: Optional[ArrayLike], fixed: Optional[A
     call_init(raw.obc_untangle_tetrahedra_problem_init, problem)
     problem.positions, problem.vertex_count = address(positions), len(positions)
     problem.tetrahedra, problem.tetrahedron_count = address(cells), len(cells)
-    kept: list[Any] = [positions, cells]
-    kept += _set_constraints(problem, positions, rest, fixed)
-    if ties is not None:
-        kept.append(indices(ties, 3, len(positions), "ties", each="vertex"))
-        problem.ties = address(kept[-1])
-    return problem, positions, kept
+    return problem, positions, [positions, cells, *_set_constraints(problem, positions, rest, fixed, ties)]
 
 
 def _triangles_problem(positions: ArrayLike, triangles: ArrayLike, rest: Optional[ArrayLike], fixed: Optional[ArrayLike],
@@ -66,18 +65,11 @@ def _triangles_problem(positions: ArrayLike, triangles: ArrayLike, rest: Optiona
     call_init(raw.obc_untangle_triangles_problem_init, problem)
     problem.positions, problem.vertex_count = address(places), len(places)
     problem.triangles, problem.triangle_count = address(corners), len(corners)
-    kept: list[Any] = [places, corners]
-    kept += _set_constraints(problem, places, None, fixed)
     if rest is not None:
-        shapes = numbers(rest, "rest")
-        if shapes.ndim == 2 and shapes.shape[1] == 2:
-            shapes = np.hstack([shapes, np.zeros((len(shapes), 1))])
-        kept.append(doubles(shapes, 3, len(places), "rest", each="vertex"))
-        problem.rest = address(kept[-1])
-    if ties is not None:
-        kept.append(indices(ties, 2, len(places), "ties", each="vertex"))
-        problem.ties = address(kept[-1])
-    return problem, places, kept
+        rest = numbers(rest, "rest")
+        if rest.ndim == 2 and rest.shape[1] == 2:
+            rest = np.hstack([rest, np.zeros((len(rest), 1))])
+    return problem, places, [places, corners, *_set_constraints(problem, places, rest, fixed, ties)]
 
 
 def _run(function: Any, problem: Any, kept: list[Any], chosen: Any, positions: Doubles, threads: int,

@@ -29,6 +29,7 @@ void StarMatrix::set_zero(const base::ThreadPool& pool) {
 ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool)
     : host_(host),
       pool_(pool),
+      positive_(size, host.memory),
       inverse_(size, host.memory),
       residual_(size, host.memory),
       preconditioned_(size, host.memory),
@@ -61,12 +62,13 @@ struct ConjugateGradients::System {
   double start() {
     return own.sum([&](std::size_t i) {
       const Eigen::Matrix2d& d = matrix.diagonal[i];
-      // Made positive, as the step of a single vertex is.
+      // The eigenvalues are made positive, as the step of a single vertex is.
       const double mean = 0.5 * d.trace();
       const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
       const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
       const double shift = std::max(0.0, least - (mean - spread));
-      own.inverse_[i] = (d + shift * Eigen::Matrix2d::Identity()).inverse();
+      own.positive_[i] = d + shift * Eigen::Matrix2d::Identity();
+      own.inverse_[i] = own.positive_[i].inverse();
       x[i].setZero();
       own.residual_[i] = right_side[i];
       own.along_[i] = own.inverse_[i] * own.residual_[i];
@@ -76,7 +78,7 @@ struct ConjugateGradients::System {
   double multiply() {
     return own.sum([&](std::size_t i) {
       own.product_[i] = matrix.row_times(i, own.along_);
-      if (damping > 0) own.product_[i] += damping * (own.inverse_[i].inverse() * own.along_[i]);
+      if (damping > 0) own.product_[i] += damping * (own.positive_[i] * own.along_[i]);
       return own.along_[i].dot(own.product_[i]);
     });
   }

@@ -55,7 +55,7 @@ class ConjugateGradients {
 
   const base::Host& host_;
   const base::ThreadPool& pool_;
-  base::Array<Eigen::Matrix2d> inverse_;
+  base::Array<Eigen::Matrix2d> positive_, inverse_;  // P and its inverse
   base::Array<Vector2d> residual_, preconditioned_, along_, product_;
   base::Array<double> partial_;  // sums of the pieces
 };

@@ -19,6 +19,9 @@ import numpy as np
 import orbicube
 from orbicube import study
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cli"))
+from folders import files_in  # noqa: E402
+
 try:
     import distributed
 except ImportError:
@@ -31,16 +34,6 @@ OPTIONS = {"grid": "icosphere:2", "groups": "diagnosis", "permutations": 99}
 
 def run(*arguments):
     subprocess.run([COMMAND, *arguments], check=True, stdout=subprocess.DEVNULL)
-
-
-def files_in(folder):
-    """The bytes of all files, by name."""
-    result = {}
-    for place, _, names in os.walk(folder):
-        for name in names:
-            with open(os.path.join(place, name), "rb") as file:
-                result[os.path.relpath(os.path.join(place, name), folder)] = file.read()
-    return result
 
 
 class InFolder(unittest.TestCase):

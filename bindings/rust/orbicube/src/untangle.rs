@@ -94,6 +94,22 @@ fn certain((result, report, error): Best) -> Result<(Vec<f64>, Report), Error> {
     error.map_or(Ok((result, report)), Err)
 }
 
+/// Sets what both kinds of problems may have, of `$n` coordinates; empty: none.
+macro_rules! set_constraints {
+    ($c:ident, $problem:ident, $n:expr) => {
+        for (length, wanted, what) in [($problem.rest.len(), 3 * $c.vertex_count, "rest"), ($problem.fixed.len(), $c.vertex_count, "fixed"),
+                                       ($problem.fixed_coordinates.len(), $n, "fixed_coordinates"), ($problem.ties.len(), $n, "ties")] {
+            if length != 0 {
+                expect_length(length, wanted, what)?;
+            }
+        }
+        $c.rest = pointer($problem.rest);
+        $c.fixed = pointer($problem.fixed);
+        $c.fixed_coordinates = pointer($problem.fixed_coordinates);
+        $c.ties = pointer($problem.ties);
+    };
+}
+
 fn tetrahedra_problem(problem: &Tetrahedra) -> Result<obc_untangle_tetrahedra_problem, Error> {
     let n = problem.positions.len();
     let mut c: obc_untangle_tetrahedra_problem = unsafe { std::mem::zeroed() };
@@ -102,16 +118,7 @@ fn tetrahedra_problem(problem: &Tetrahedra) -> Result<obc_untangle_tetrahedra_pr
     c.vertex_count = rows(n, 3, "positions")?;
     c.tetrahedra = pointer(problem.tetrahedra);
     c.tetrahedron_count = rows(problem.tetrahedra.len(), 4, "tetrahedra")?;
-    for (length, wanted, what) in [(problem.rest.len(), n, "rest"), (problem.fixed.len(), c.vertex_count, "fixed"),
-                                   (problem.fixed_coordinates.len(), n, "fixed_coordinates"), (problem.ties.len(), n, "ties")] {
-        if length != 0 {
-            expect_length(length, wanted, what)?;
-        }
-    }
-    c.rest = pointer(problem.rest);
-    c.fixed = pointer(problem.fixed);
-    c.fixed_coordinates = pointer(problem.fixed_coordinates);
-    c.ties = pointer(problem.ties);
+    set_constraints!(c, problem, n);
     Ok(c)
 }
 
@@ -123,16 +130,7 @@ fn triangles_problem(problem: &Triangles) -> Result<obc_untangle_triangles_probl
     c.vertex_count = rows(n, 2, "positions")?;
     c.triangles = pointer(problem.triangles);
     c.triangle_count = rows(problem.triangles.len(), 3, "triangles")?;
-    for (length, wanted, what) in [(problem.rest.len(), 3 * c.vertex_count, "rest"), (problem.fixed.len(), c.vertex_count, "fixed"),
-                                   (problem.fixed_coordinates.len(), n, "fixed_coordinates"), (problem.ties.len(), n, "ties")] {
-        if length != 0 {
-            expect_length(length, wanted, what)?;
-        }
-    }
-    c.rest = pointer(problem.rest);
-    c.fixed = pointer(problem.fixed);
-    c.fixed_coordinates = pointer(problem.fixed_coordinates);
-    c.ties = pointer(problem.ties);
+    set_constraints!(c, problem, n);
     Ok(c)
 }
 
