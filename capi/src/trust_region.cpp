@@ -62,6 +62,7 @@ tr::Problem to_problem(const obc_trust_region_problem* given) {
   if (from.upper != nullptr) problem.upper = {from.upper, from.n};
   if (from.scale != nullptr) problem.scale = {from.scale, from.n};
   if (from.sign != nullptr) problem.sign = {from.sign, from.residuals};
+  capi::assign(problem.objective, from.objective);
   return problem;
 }
 

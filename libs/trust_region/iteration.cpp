@@ -160,7 +160,7 @@ Request Solver::take_trial() {
     if (ratio < enough) {
       state_.radius = std::min(0.5 * state_.radius, length);
     } else {
-      const bool scalar = growing() && !models_.least_squares() && !variables_.bounded();
+      const bool scalar = growing() && !models_.of_residuals() && !variables_.bounded();
       state_.radius =
           std::max(0.5 * state_.radius, ratio <= (scalar ? very_good_growing : very_good) ? length : 2 * length);
     }
@@ -299,6 +299,7 @@ bool Solver::scale_misleads() {
   constexpr double proportion = 1e-4, resolutions = 10, rounding = 1e-14;
   const std::size_t n = variables_.free_size();
   if (!scale_given_ || n > Variables::max_turned || options_.method != Method::two_radii) return false;
+  if (models_.has_corners()) return false;  // where f may slope along every axis at its minimum
   const double* best = interpolation_.point(interpolation_.best());
   std::fill_n(move_.data(), n, 0.0);
   models_.expand(move_.data(), interpolation_.best(), gradient_.data(), hessian_.data());
@@ -328,7 +329,7 @@ Request Solver::reduce_resolution() {
   edges_.forget();
   state_.failures_of_level = 0;
   // Powell 2006, section 7: in the end by few steps of equal ratio.
-  const double ratio = state_.resolution / end, fall = growing() && !models_.least_squares() ? decay_growing : decay;
+  const double ratio = state_.resolution / end, fall = growing() && !models_.of_residuals() ? decay_growing : decay;
   state_.radius = 0.5 * state_.resolution;
   state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : fall * state_.resolution;
   state_.radius = std::max(state_.radius, state_.resolution);

@@ -25,9 +25,10 @@ constexpr std::uint64_t poor_steps = 3, wait = 3;
 
 bool Solver::wants_metric() const {
   const std::size_t n = variables_.free_size();
-  return !variables_.bounded() && state_.next == Next::step && options_.method == Method::two_radii &&
-         state_.poor_steps >= poor_steps && interpolation_.size() >= 2 * n + 1 && n >= 2 &&
-         n <= Variables::max_turned && state_.evaluations - state_.metric_at >= wait * (n + 1);
+  return !variables_.bounded() && !models_.has_corners() && state_.next == Next::step &&
+         options_.method == Method::two_radii && state_.poor_steps >= poor_steps &&
+         interpolation_.size() >= 2 * n + 1 && n >= 2 && n <= Variables::max_turned &&
+         state_.evaluations - state_.metric_at >= wait * (n + 1);
 }
 
 bool Solver::adapt_metric() {

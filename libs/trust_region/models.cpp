@@ -8,12 +8,13 @@
 
 namespace orbicube::trust_region {
 
-Models::Models(std::size_t n, std::size_t outputs, bool least_squares, std::span<const double> sign, bool two_families,
-               std::pmr::memory_resource* memory)
+Models::Models(std::size_t n, std::size_t outputs, bool of_residuals, std::span<const double> sign, bool two_families,
+               std::pmr::memory_resource* memory, Objective objective)
     : n_(n),
       outputs_(outputs),
-      least_squares_(least_squares),
+      of_residuals_(of_residuals),
       two_families_(two_families),
+      corners_(objective),
       sign_(outputs, 1.0, memory),
       outputs_at_(memory),
       remembering_{base::Array<double>(memory), base::Array<double>(memory)},
@@ -49,7 +50,7 @@ void Models::allocate(std::size_t capacity, bool quadratics) {
   change_.resize(outputs_);
   surprise_.resize(outputs_);
   surprise_afresh_.resize(two_families_ ? outputs_ : 0);
-  if (!least_squares_) return;
+  if (!of_residuals_) return;
   at_.resize(n_);
   weights_.resize(2 * outputs_);
   for (auto* slopes : {&slopes_, &moved_})
@@ -58,7 +59,8 @@ void Models::allocate(std::size_t capacity, bool quadratics) {
 }
 
 double Models::objective(const double* outputs) const {
-  if (!least_squares_) return outputs[0];
+  if (!of_residuals_) return outputs[0];
+  if (has_corners()) return corners_.value(outputs, outputs_);
   double sum = 0;
   for (std::size_t i = 0; i < outputs_; ++i)
     sum += sign_[i] * outputs[i] * outputs[i];
@@ -131,7 +133,7 @@ void Models::leave(const Interpolation& interpolation, std::size_t j) {
 
 void Models::expect(const double* d, const double* outputs, std::size_t best) {
   learned_ = remade_ = false;
-  if (least_squares_) {
+  if (of_residuals_) {
     predict_with_slopes(remembering_, d, surprise_.data(), moved_.data());
     if (two_families_) predict_with_slopes(afresh_, d, surprise_afresh_.data(), moved_afresh_.data());
   } else {
@@ -171,7 +173,7 @@ void Models::shift(const double* d) {
     for (std::size_t i = 0; i < family.gradient.size(); ++i)
       family.gradient[i] += dot(family.hessian.data() + i * n_, d, n_);
   };
-  if (!least_squares_) {
+  if (!of_residuals_) {
     shift_all(remembering_);
     shift_all(afresh_);
     return;
@@ -259,20 +261,34 @@ void Models::measure(const double* d) {
 }
 
 double Models::change(const double* d, std::size_t best) {
-  if (!least_squares_) {
+  if (!of_residuals_) {
     predict(family(), d, change_.data());
     return change_[0];
   }
   measure(d);
+  if (has_corners())
+    return corners_.smooth_value(row(best), change_.data(), outputs_) -
+           corners_.smooth_value(row(best), nullptr, outputs_);
   double sum = 0;
   for (std::size_t i = 0; i < outputs_; ++i)
     sum += sign_[i] * change_[i] * (2 * row(best)[i] + change_[i]);
   return sum;
 }
 
+double Models::reach(double radius) const {
+  const Family& used = family();
+  double most = 0;
+  for (std::size_t i = 0; i < outputs_; ++i) {
+    const double slope = norm(used.gradient.data() + i * n_, n_),
+                 bend = norm(used.hessian.data() + i * n_ * n_, n_ * n_);
+    most = std::max(most, radius * (slope + 0.5 * radius * bend));
+  }
+  return most;
+}
+
 void Models::expand(const double* d, std::size_t best, double* gradient, double* hessian) {
   const Family& used = family();
-  if (!least_squares_) {
+  if (!of_residuals_) {
     std::copy(used.hessian.begin(), used.hessian.end(), hessian);
     for (std::size_t k = 0; k < n_; ++k)
       gradient[k] = used.gradient[k] + dot(hessian + k * n_, d, n_);
@@ -281,13 +297,19 @@ void Models::expand(const double* d, std::size_t best, double* gradient, double*
   measure(d);
   measured_ = false;  // slopes_ becomes the residuals' gradients
   double* of_squares = weights_.data() + outputs_;
-  for (std::size_t i = 0; i < outputs_; ++i) {
-    weights_[i] = 2 * sign_[i] * (row(best)[i] + change_[i]);
-    of_squares[i] = 2 * sign_[i];
+  double shared = 0;
+  if (has_corners()) {
+    shared = corners_.expand(row(best), change_.data(), outputs_, weights_.data(), of_squares);
+  } else {
+    for (std::size_t i = 0; i < outputs_; ++i) {
+      weights_[i] = 2 * sign_[i] * (row(best)[i] + change_[i]);
+      of_squares[i] = 2 * sign_[i];
+    }
   }
   add_scaled(slopes_.data(), 1, used.gradient.data(), outputs_ * n_);
   combination(gradient, n_, weights_.data(), slopes_.data(), n_, outputs_);
   sum_of_squares_lower(hessian, n_, of_squares, slopes_.data(), outputs_);
+  if (shared != 0) add_square_lower(hessian, n_, n_, -shared, gradient);
   // Few Hessians at once, so that each is read in its order.
   constexpr std::size_t some = 4;
   for (std::size_t i = 0; i < outputs_; i += some)

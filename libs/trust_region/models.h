@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/array.h"
+#include "trust_region/corners.h"
 #include "trust_region/interpolation.h"
 
 namespace orbicube::trust_region {
@@ -16,13 +17,13 @@ namespace orbicube::trust_region {
 class Models {
  public:
   // sign: one entry a residual, empty for a scalar f. `two_families` keeps both.
-  Models(std::size_t n, std::size_t outputs, bool least_squares, std::span<const double> sign, bool two_families,
-         std::pmr::memory_resource* memory);
+  Models(std::size_t n, std::size_t outputs, bool of_residuals, std::span<const double> sign, bool two_families,
+         std::pmr::memory_resource* memory, Objective objective = Objective::sum_of_squares);
   // Makes room for the outputs at `capacity` points, and with `quadratics` for the models themselves; outputs stay.
   void allocate(std::size_t capacity, bool quadratics);
 
   std::size_t outputs() const { return outputs_; }
-  bool least_squares() const { return least_squares_; }
+  bool of_residuals() const { return of_residuals_; }
   // f of one row of outputs; NaN when one of them is not finite.
   double objective(const double* outputs) const;
 
@@ -50,10 +51,16 @@ class Models {
   // Compares the predictions of both families at best + d with the values there.
   void judge(const double* d, const double* outputs, std::size_t best);
 
-  // Change of the objective.
+  // Whether f is not the sum of squares of its residuals: steps are then those of a smooth function near it.
+  bool has_corners() const { return corners_.any(); }
+  Corners& corners() { return corners_; }
+  // Maximum change of a residual within a radius, by its model.
+  double reach(double radius) const;
+
+  // Change of the objective, with corners as smooth as their width says.
   double change(const double* d, std::size_t best);
   // Gradient (n) and Hessian (n x n) of the objective's model at best + d; for residuals those of the quartic
-  // sum sign (r + change)^2. Cheaper where d is that of the last change().
+  // sum sign (r + change)^2, or of h_w(r + change). Cheaper where d is that of the last change().
   void expand(const double* d, std::size_t best, double* gradient, double* hessian);
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {
@@ -74,7 +81,8 @@ class Models {
   const Family& family() const { return two_families_ && errors_[1] < errors_[0] ? afresh_ : remembering_; }
 
   std::size_t n_, outputs_;
-  bool least_squares_, two_families_;
+  bool of_residuals_, two_families_;
+  Corners corners_;
   base::Array<double> sign_;        // outputs
   base::Array<double> outputs_at_;  // capacity x outputs
   Family remembering_, afresh_;

@@ -8,14 +8,23 @@
 
 namespace orbicube::trust_region {
 
-// min f(x), or min sum_i sign_i r_i(x)^2, subject to lower <= x <= upper. Views of the caller's arrays; a solver copies
-// what it needs.
+// How f is made of residuals.
+enum class Objective : std::int32_t {
+  sum_of_squares = 0,     // sum_i sign_i r_i^2
+  sum_of_magnitudes = 1,  // sum_i |r_i|
+  max_magnitude = 2,      // max_i |r_i|
+  max_value = 3,          // max_i r_i
+};
+
+// min f(x), or min h(r(x)) for residuals r and h an Objective, subject to lower <= x <= upper. Views of the caller's
+// arrays; a solver copies what it needs.
 struct Problem {
   std::size_t n = 0;                     // unknowns
   std::size_t residuals = 0;             // m, or 0 for a scalar f
   std::span<const double> lower, upper;  // n each, or empty: unbounded; infinities allowed
   std::span<const double> scale;         // n typical magnitudes, or empty: chosen. Radii are lengths of (x - y) / scale
-  std::span<const double> sign;          // m entries +1 or -1, or empty: all +1
+  std::span<const double> sign;          // of squares: m entries +1 or -1, or empty: all +1
+  Objective objective = Objective::sum_of_squares;
 
   std::size_t outputs() const { return residuals == 0 ? 1 : residuals; }
 };

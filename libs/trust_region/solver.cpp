@@ -70,7 +70,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       scale_given_(!problem.scale.empty()),
       interpolation_(variables_.free_size(), host.memory),
       models_(variables_.free_size(), problem.outputs(), problem.residuals > 0, problem.sign,
-              two_families(problem, variables_, max_points_), host.memory),
+              two_families(problem, variables_, max_points_), host.memory, problem.objective),
       edges_(variables_.free_size(), host.memory),
       quadratic_step_(0, host.memory),
       best_(problem.n, 0.0, host.memory),
@@ -88,6 +88,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       move_(variables_.free_size(), 0.0, host.memory),
       low_(variables_.free_size(), 0.0, host.memory),
       high_(variables_.free_size(), 0.0, host.memory),
+      sharpest_(problem.objective != Objective::sum_of_squares ? variables_.free_size() : 0, 0.0, host.memory),
       candidate_(variables_.free_size(), 0.0, host.memory),
       squares_(host.memory),
       coefficients_(host.memory),
@@ -109,7 +110,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
   if (options_.max_evaluations == 0) options_.max_evaluations = 500 * (problem.n + 1);
   if (options_.radius_begin == 0) options_.radius_begin = std::max(0.1 * largest, options_.radius_end);
   cross_ = options_.start == Start::cross ||
-           (options_.start == Start::automatic && !models_.least_squares() && variables_.bounded());
+           (options_.start == Start::automatic && !models_.of_residuals() && variables_.bounded());
   variables_.clip(start_.data());
   variables_.from_free(start_.data(), best_);
   state_.best_value = infinity;

@@ -152,6 +152,7 @@ class Solver {
   double change_of(const double* d);
   void expand_at(const double* d);
   void refine_step(double* d, double* value);
+  double sharpen_step(double* d);
   double move_within(const double* d, double inner, double* trial);
   Request try_step();
   Request take_trial();
@@ -200,7 +201,9 @@ class Solver {
   base::Array<std::uint32_t> axes_;
   base::Array<double> requests_;      // the same rows as the caller sees them
   base::Array<double> told_, error_;  // outputs
-  base::Array<double> step_, gradient_, hessian_, move_, low_, high_, candidate_;
+  base::Array<double> step_, gradient_, hessian_, move_, low_, high_;
+  base::Array<double> sharpest_;  // a step, for corners
+  base::Array<double> candidate_;
   base::Array<double> squares_;       // of the points' distances
   base::Array<double> coefficients_;  // of a Lagrange function
   base::Array<double> basis_;         // free x free, for plan_axes() and adapt_metric()

@@ -1,6 +1,7 @@
 // The step of the models within the trust region, the box, and the planes that keep it off edges of f.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trust_region/dense.h"
 #include "trust_region/solver.h"
@@ -15,6 +16,12 @@ constexpr double stiffness = 1e4;
 // points.
 constexpr double gain_of_few = 1e-6, gain_of_many = 1e-3;
 constexpr std::size_t many_unknowns = 24;
+// Corners are rounded by this part of what residuals may change by in the trust region, then by a tenth of it and so
+// on, until that is less than a part of the change of f that is predicted, or lost in rounding.
+constexpr double first_width = 0.1, fall_of_width = 0.1, precise = 1e-3, least_width = 1e-9;
+constexpr double tiniest_width = 1e-150;  // where the models are constant
+// Gain of the inner iteration for one of these widths.
+constexpr double gain_of_corners = 1e-3;
 
 }  // namespace
 
@@ -34,6 +41,8 @@ double Solver::choose_step(double* d) {
   const double* low = variables_.bounded() ? low_.data() : nullptr;
   const double* high = variables_.bounded() ? high_.data() : nullptr;
   std::fill_n(d, n, 0.0);
+  if (models_.has_corners())
+    models_.corners().set_width(std::max(first_width * models_.reach(state_.radius), tiniest_width));
   models_.expand(d, best, gradient_.data(), hessian_.data());
   relative_bounds(nullptr);
   quadratic_step_.minimise(gradient_.data(), hessian_.data(), state_.radius, low, high, d);
@@ -44,13 +53,14 @@ double Solver::choose_step(double* d) {
     edges_.confine(d);
   }
   double value = change_of(d);
-  if (!models_.least_squares() && !confined) return value;
+  if (!models_.of_residuals() && !confined) return value;
   for (int halving = 0; halving < 10 && !(value < 0); ++halving) {
     for (std::size_t i = 0; i < n; ++i)
       d[i] *= 0.5;
     value = change_of(d);
   }
   refine_step(d, &value);
+  if (models_.has_corners()) value = sharpen_step(d);
   if (!confined) return value;
   edges_.confine(d);
   if (low != nullptr) {
@@ -58,6 +68,30 @@ double Solver::choose_step(double* d) {
       d[i] = std::clamp(d[i], low_[i], high_[i]);
   }
   return models_.change(d, best);
+}
+
+// From the step for rounded corners to that for f itself; returns its change of f.
+double Solver::sharpen_step(double* d) {
+  const std::size_t n = variables_.free_size();
+  Corners& corners = models_.corners();
+  const double least =
+      std::max(least_width * corners.width(), std::numeric_limits<double>::epsilon() * std::abs(state_.best_value));
+  double lowest = std::numeric_limits<double>::infinity();
+  for (double width = corners.width();; width *= fall_of_width) {
+    corners.set_width(0);
+    if (const double value = change_of(d); value < lowest) {
+      lowest = value;
+      std::copy_n(d, n, sharpest_.data());
+    }
+    corners.set_width(width);
+    if (corners.error(models_.outputs()) <= precise * -lowest || !(width > least)) break;
+    corners.set_width(fall_of_width * width);
+    double value = change_of(d);
+    refine_step(d, &value);
+  }
+  corners.set_width(0);
+  std::copy_n(sharpest_.data(), n, d);
+  return lowest;
 }
 
 // The models' change of f, and a penalty for what is beyond the planes of edges_.
@@ -90,7 +124,7 @@ void Solver::refine_step(double* d, double* value) {
   const std::size_t n = variables_.free_size();
   double inner = std::max(0.5 * norm(d, n), 1e-3 * state_.radius);
   double* trial = candidate_.data();
-  const double least_gain = n > many_unknowns ? gain_of_many : gain_of_few;
+  const double least_gain = models_.has_corners() ? gain_of_corners : n > many_unknowns ? gain_of_many : gain_of_few;
   bool known = false;  // gradient_ and hessian_ are those at d
   for (int iteration = 0; iteration < 30; ++iteration) {
     host_.report("trust region", state_.evaluations, options_.max_evaluations, state_.best_value);

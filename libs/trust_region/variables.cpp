@@ -44,6 +44,10 @@ Variables::Variables(const Problem& problem, std::span<const double> start, bool
   const auto fits = [n](std::span<const double> a) { return a.empty() || a.size() == n; };
   require(n >= 1 && n <= 100000 && problem.residuals <= 100000000, "n must be from 1 to 100000");
   require(fits(problem.lower) && fits(problem.upper) && fits(problem.scale), "bounds and scale must have n entries");
+  require(problem.objective >= Objective::sum_of_squares && problem.objective <= Objective::max_value,
+          "unknown objective");
+  require(problem.objective == Objective::sum_of_squares || (problem.residuals > 0 && problem.sign.empty()),
+          "an objective other than the sum of squares needs residuals, without signs");
   require(problem.sign.empty() || problem.sign.size() == problem.residuals, "there must be one sign a residual");
   for (const double sign : problem.sign)
     require(sign == 1 || sign == -1, "a sign must be 1 or -1");
@@ -80,6 +84,7 @@ Variables::Variables(const Problem& problem, std::span<const double> start, bool
     hash.add(std::as_bytes(std::span(*array)));
   hash.add(std::as_bytes(problem.scale));
   hash.add(std::as_bytes(problem.sign));
+  hash.add(std::as_bytes(std::span(&problem.objective, 1)));
   fingerprint_ = hash.value();
 }
 

@@ -665,7 +665,7 @@ _Static_assert(offsetof(obc_tetrahedra_options, size_positions) == 32, "obc_tetr
 _Static_assert(offsetof(obc_tetrahedra_options, size_lengths) == 40, "obc_tetrahedra_options.size_lengths");
 _Static_assert(offsetof(obc_tetrahedra_options, size_count) == 48, "obc_tetrahedra_options.size_count");
 _Static_assert(offsetof(obc_tetrahedra_options, size_growth) == 56, "obc_tetrahedra_options.size_growth");
-_Static_assert(sizeof(obc_trust_region_problem) == 56, "obc_trust_region_problem");
+_Static_assert(sizeof(obc_trust_region_problem) == 64, "obc_trust_region_problem");
 _Static_assert(offsetof(obc_trust_region_problem, struct_size) == 0, "obc_trust_region_problem.struct_size");
 _Static_assert(offsetof(obc_trust_region_problem, n) == 8, "obc_trust_region_problem.n");
 _Static_assert(offsetof(obc_trust_region_problem, residuals) == 16, "obc_trust_region_problem.residuals");
@@ -673,6 +673,7 @@ _Static_assert(offsetof(obc_trust_region_problem, lower) == 24, "obc_trust_regio
 _Static_assert(offsetof(obc_trust_region_problem, upper) == 32, "obc_trust_region_problem.upper");
 _Static_assert(offsetof(obc_trust_region_problem, scale) == 40, "obc_trust_region_problem.scale");
 _Static_assert(offsetof(obc_trust_region_problem, sign) == 48, "obc_trust_region_problem.sign");
+_Static_assert(offsetof(obc_trust_region_problem, objective) == 56, "obc_trust_region_problem.objective");
 _Static_assert(sizeof(obc_trust_region_options) == 80, "obc_trust_region_options");
 _Static_assert(offsetof(obc_trust_region_options, struct_size) == 0, "obc_trust_region_options.struct_size");
 _Static_assert(offsetof(obc_trust_region_options, method) == 4, "obc_trust_region_options.method");
@@ -1405,7 +1406,7 @@ _Static_assert(offsetof(obc_tetrahedra_options, size_positions) == 32, "obc_tetr
 _Static_assert(offsetof(obc_tetrahedra_options, size_lengths) == 36, "obc_tetrahedra_options.size_lengths");
 _Static_assert(offsetof(obc_tetrahedra_options, size_count) == 40, "obc_tetrahedra_options.size_count");
 _Static_assert(offsetof(obc_tetrahedra_options, size_growth) == 48, "obc_tetrahedra_options.size_growth");
-_Static_assert(sizeof(obc_trust_region_problem) == 28, "obc_trust_region_problem");
+_Static_assert(sizeof(obc_trust_region_problem) == 32, "obc_trust_region_problem");
 _Static_assert(offsetof(obc_trust_region_problem, struct_size) == 0, "obc_trust_region_problem.struct_size");
 _Static_assert(offsetof(obc_trust_region_problem, n) == 4, "obc_trust_region_problem.n");
 _Static_assert(offsetof(obc_trust_region_problem, residuals) == 8, "obc_trust_region_problem.residuals");
@@ -1413,6 +1414,7 @@ _Static_assert(offsetof(obc_trust_region_problem, lower) == 12, "obc_trust_regio
 _Static_assert(offsetof(obc_trust_region_problem, upper) == 16, "obc_trust_region_problem.upper");
 _Static_assert(offsetof(obc_trust_region_problem, scale) == 20, "obc_trust_region_problem.scale");
 _Static_assert(offsetof(obc_trust_region_problem, sign) == 24, "obc_trust_region_problem.sign");
+_Static_assert(offsetof(obc_trust_region_problem, objective) == 28, "obc_trust_region_problem.objective");
 _Static_assert(sizeof(obc_trust_region_options) == 80, "obc_trust_region_options");
 _Static_assert(offsetof(obc_trust_region_options, struct_size) == 0, "obc_trust_region_options.struct_size");
 _Static_assert(offsetof(obc_trust_region_options, method) == 4, "obc_trust_region_options.method");

@@ -141,6 +141,10 @@ export const constants = {
   OBC_TRUST_REGION_AUTOMATIC: 0,
   OBC_TRUST_REGION_CHAIN: 1,
   OBC_TRUST_REGION_CROSS: 2,
+  OBC_TRUST_REGION_SUM_OF_SQUARES: 0,
+  OBC_TRUST_REGION_SUM_OF_MAGNITUDES: 1,
+  OBC_TRUST_REGION_MAX_MAGNITUDE: 2,
+  OBC_TRUST_REGION_MAX_VALUE: 3,
   OBC_TRUST_REGION_NEED_VALUES: 1,
   OBC_TRUST_REGION_ITERATION: 2,
   OBC_TRUST_REGION_DONE: 3,
@@ -859,7 +863,7 @@ export const layouts = {
     },
   },
   obc_trust_region_problem: {
-    size: 28,
+    size: 32,
     fields: {
       struct_size: ['u32', 0],
       n: ['u32', 4],
@@ -868,6 +872,7 @@ export const layouts = {
       upper: ['u32', 16],
       scale: ['u32', 20],
       sign: ['u32', 24],
+      objective: ['i32', 28],
     },
   },
   obc_trust_region_options: {

@@ -146,8 +146,14 @@ struct Problem{T}
     kept::Vector{Any}
 end
 
-function trust_region_problem(n, residuals; lower=nothing, upper=nothing, scale=nothing, sign=nothing)
+# What f is of residuals.
+const objectives = [:sum_of_squares => Raw.OBC_TRUST_REGION_SUM_OF_SQUARES, :sum_of_magnitudes => Raw.OBC_TRUST_REGION_SUM_OF_MAGNITUDES,
+                    :max_magnitude => Raw.OBC_TRUST_REGION_MAX_MAGNITUDE, :max_value => Raw.OBC_TRUST_REGION_MAX_VALUE]
+
+function trust_region_problem(n, residuals; lower=nothing, upper=nothing, scale=nothing, sign=nothing,
+                              objective=:sum_of_squares)
     c = filled(Raw.obc_trust_region_problem, Raw.obc_trust_region_problem_init, NamedTuple())
+    c.objective = chosen_word(:objective, objective, objectives)
     kept = Any[entries(lower, n), entries(upper, n), entries(scale, n), entries(sign, residuals)]
     c.n, c.residuals = n, residuals
     c.lower, c.upper, c.scale, c.sign = place.(kept)
@@ -212,9 +218,10 @@ function optimize(f, x0::AbstractVector, method::TrustRegion; problem...)
 end
 
 """
-    least_squares(r!, count, x0, TrustRegion(); lower, upper, scale, sign)
+    least_squares(r!, count, x0, TrustRegion(); lower, upper, scale, sign, objective=:sum_of_squares)
 
-The minimum sum of squares of `count` residuals, which `r!(R, x)` fills, with signs 1 or -1 if they are given.
+The minimum sum of squares of `count` residuals, which `r!(R, x)` fills, with signs 1 or -1 if they are given. With another `objective`,
+`:sum_of_magnitudes`, `:max_magnitude` or `:max_value`, the minimum of that function of the residuals.
 """
 function least_squares(r!, count::Integer, x0::AbstractVector, method::TrustRegion=TrustRegion(); problem...)
     count > 0 || throw(ArgumentError("no residuals"))

@@ -57,7 +57,7 @@ const layouts = [
     (Orbicube.Raw.obc_sphere_optimizer_relaxation_options, 48, [0, 4, 8, 12, 16, 24, 32, 40]),
     (Orbicube.Raw.obc_sphere_optimizer_relaxation_result, 56, [0, 4, 8, 16, 24, 32, 40, 48]),
     (Orbicube.Raw.obc_tetrahedra_options, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
-    (Orbicube.Raw.obc_trust_region_problem, 56, [0, 8, 16, 24, 32, 40, 48]),
+    (Orbicube.Raw.obc_trust_region_problem, 64, [0, 8, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_trust_region_options, 80, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_trust_region_result, 80, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_untangle_options, 32, [0, 4, 8, 12, 16, 24]),

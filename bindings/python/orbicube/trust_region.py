@@ -1,7 +1,9 @@
-"""Minimizes f(x), or a sum of squares of residuals, within bounds, from values alone: no derivatives.
+"""Minimizes f(x), or a sum of squares, a sum of magnitudes or the largest of residuals, within bounds, from values alone: no
+derivatives.
 
     result = minimize(lambda x: (x[0] - 1) ** 2 + (x[1] + 2) ** 2, [0, 0], lower=[-1, -1])
     result = least_squares(residuals, [1, 0.1, 0], 8)
+    result = minimize_residuals(residuals, [1, 0.1, 0], 8, "max-magnitude")    # a Chebyshev fit
 
 or, one evaluation at a time, by any program:
 
@@ -30,19 +32,23 @@ from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, address, buffer, doubles, memory_of, numbers, put, spread, start_of
 from ._call import Progress, Stop, call, call_init, filled, picked, with_options
-from ._checks import integer, public, shown
+from ._checks import integer, public, shown, word
 from ._scipy import arguments_of, bounds_of, minimized, options_of, outcome
 from ._solver import DONE, NO_VALUE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
 
-__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "scipy_least_squares", "scipy_method",
-           "version"]
+__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "minimize_residuals", "scipy_least_squares",
+           "scipy_method", "version"]
+
+Objective = Literal["sum-of-squares", "sum-of-magnitudes", "max-magnitude", "max-value"]
+_OBJECTIVES: tuple[str, ...] = ("sum-of-squares", "sum-of-magnitudes", "max-magnitude", "max-value")
 
 
-def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: Any) -> tuple[Any, list[Any]]:
+def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: Any, objective: Any) -> tuple[Any, list[Any]]:
     problem = raw.obc_trust_region_problem()
     call_init(raw.obc_trust_region_problem_init, problem)
     problem.n, problem.residuals = n, residuals
+    problem.objective = _OBJECTIVES.index(word(objective, "objective", _OBJECTIVES))
     kept = []
     for name, value, length in (("lower", lower, n), ("upper", upper, n), ("scale", scale, n), ("sign", sign, residuals)):
         if value is not None:
@@ -61,11 +67,12 @@ def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: A
 
 class Solver(Run):
     """A run by reverse communication. `residuals` is their number, 0 for one value f. Bounds and scale are a number for all
-    unknowns, or one each; `sign`, 1 or -1 a residual, says how their squares are summed."""
+    unknowns, or one each; `sign`, 1 or -1 a residual, says how their squares are summed, and `objective` what else f may be of them."""
 
     @with_options("obc_trust_region_options")
     def __init__(self, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
                  upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None,
+                 objective: Objective = "sum-of-squares",
                  # options of obc_trust_region_options, written by scripts/bindings.py
                  method: Literal["two-radii", "dissertation"] = "two-radii",
                  start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
@@ -75,7 +82,7 @@ class Solver(Run):
                  ) -> None:
         chosen = filled(raw.obc_trust_region_options, raw.obc_trust_region_options_init, locals())
         first = start_of(x0, "x0")
-        problem, kept = _problem(first.size, integer(residuals, "residuals", 0), lower, upper, scale, sign)
+        problem, kept = _problem(first.size, integer(residuals, "residuals", 0), lower, upper, scale, sign, objective)
         handle = ctypes.c_void_p()
         call(raw.obc_trust_region_create, byref(problem), byref(chosen), address(first), None, byref(handle))
         del kept
@@ -92,10 +99,10 @@ class Solver(Run):
     @public
     def load(cls, blob: bytes, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
              upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None,
-             sign: Optional[ArrayLike] = None) -> Solver:
+             sign: Optional[ArrayLike] = None, objective: Objective = "sum-of-squares") -> Solver:
         """Goes on with a run that was saved, of the same problem; of x0 only the length counts."""
         n = np.size(numbers(x0, "x0"))
-        problem, kept = _problem(n, integer(residuals, "residuals", 0), lower, upper, scale, sign)
+        problem, kept = _problem(n, integer(residuals, "residuals", 0), lower, upper, scale, sign, objective)
         handle = ctypes.c_void_p()
         call(raw.obc_trust_region_load, byref(problem), blob, len(blob), None, byref(handle))
         del kept
@@ -182,6 +189,24 @@ def least_squares(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, coun
     """The minimum sum of squares of `count` residuals, with signs if there are any, that is found from x0."""
     options = picked(locals(), "obc_trust_region_options")
     solver = Solver(x0, integer(count, "count", 1), lower=lower, upper=upper, scale=scale, sign=sign, **options)
+    solver._asked_name = "residuals"
+    return solver.run(residuals, progress)
+
+
+@with_options("obc_trust_region_options")
+def minimize_residuals(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, count: int, objective: Objective, *,
+                       lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None,
+                       # options of obc_trust_region_options, written by scripts/bindings.py
+                       method: Literal["two-radii", "dissertation"] = "two-radii",
+                       start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0,
+                       radius_begin: float = 0.0, radius_end: float = 1e-08, target: float = float("-inf"),
+                       noise_absolute: float = 0.0, noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
+                       # end of options
+                       progress: Progress = None) -> Result:
+    """The minimum that is found from x0 of a function of `count` residuals: their sum of magnitudes, max_i |r_i| or max_i r_i."""
+    options = picked(locals(), "obc_trust_region_options")
+    solver = Solver(x0, integer(count, "count", 1), lower=lower, upper=upper, scale=scale, objective=objective,
+                    **options)
     solver._asked_name = "residuals"
     return solver.run(residuals, progress)
 

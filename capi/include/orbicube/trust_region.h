@@ -1,9 +1,10 @@
-/* Orbicube trust region: minimizes f(x), or a sum of squares sum_i sign_i r_i(x)^2 of residuals, subject to
- * lower <= x <= upper, from values alone, without derivatives.
+/* Orbicube trust region: minimizes f(x), or a sum of squares sum_i sign_i r_i(x)^2, a sum of magnitudes or the largest of
+ * residuals, subject to lower <= x <= upper, from values alone, without derivatives.
  *
  * Method. Quadratic models interpolate f (or each residual) at n + 2 to (n+1)(n+2)/2 points; their Hessians change with minimum
  * Frobenius norm (Powell 2004, 2006 NEWUOA, 2009 BOBYQA). Residuals are modeled one by one (Zhang, Conn, Scheinberg 2010 DFBOLS;
- * Wild 2017 POUNDERS), squared and summed with their signs (the dissertation's eq. 4.15). Steps stay within a trust-region
+ * Wild 2017 POUNDERS), squared and summed with their signs (the dissertation's eq. 4.15); for the other objectives steps minimize
+ * that function of the models (Grapiglia, Yuan, Yuan 2016). Steps stay within a trust-region
  * radius; a second radius, the resolution, decreases from radius_begin to radius_end and ends the run. DISSERTATION, for comparison, is
  * the dissertation's section 4.4.2 with its single radius.
  *
@@ -74,6 +75,14 @@ enum {
   OBC_TRUST_REGION_CROSS = 2      /* x0 and steps to both sides along the axes, all requested at once */
 };
 
+/* Objectives: f of the residuals. */
+enum {
+  OBC_TRUST_REGION_SUM_OF_SQUARES = 0,    /* sum_i sign_i r_i^2 */
+  OBC_TRUST_REGION_SUM_OF_MAGNITUDES = 1, /* sum_i |r_i|: L1 fits */
+  OBC_TRUST_REGION_MAX_MAGNITUDE = 2,     /* max_i |r_i|: Chebyshev fits */
+  OBC_TRUST_REGION_MAX_VALUE = 3          /* max_i r_i: minimax problems */
+};
+
 /* Requests of obc_trust_region_step. */
 enum {
   OBC_TRUST_REGION_NEED_VALUES = 1, /* evaluate f, or the residuals, at each of *count points, then call _tell */
@@ -128,6 +137,8 @@ typedef struct obc_trust_region_problem {
   const double *scale;
 
   const double *sign; /* m signs of the squares, 1 or -1; NULL: 1. With a -1 f may have no minimum without bounds or a target. Default: NULL. */
+
+  int32_t objective; /* OBC_TRUST_REGION_SUM_OF_SQUARES or another, which needs residuals and no sign. Default: SUM_OF_SQUARES. */
 } obc_trust_region_problem;
 
 /* Options of a run. Fill with _options_init. */

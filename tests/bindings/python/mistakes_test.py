@@ -188,6 +188,9 @@ CALLS = {
     "trust_region.least_squares": (trust_region.least_squares, {
         "residuals": lambda x: x, "x0": [1.0, 2.0], "count": 2, "lower": [-1, -1], "upper": [4, 4], "scale": [1, 2],
         "sign": [1, 1]}),
+    "trust_region.minimize_residuals": (trust_region.minimize_residuals, {
+        "residuals": lambda x: x, "x0": [1.0, 2.0], "count": 2, "objective": "max-magnitude", "lower": [-1, -1], "upper": [4, 4],
+        "scale": [1, 2]}),
     "trust_region.Solver": (trust_region.Solver, {"x0": [1.0, 2.0], "residuals": 2, "lower": [-1, -1], "upper": [4, 4],
                                                   "scale": [1, 2], "sign": [1, 1]}),
     "trust_region.Solver.load": (trust_region.Solver.load, {

@@ -115,6 +115,19 @@ MEASURED = 2.5 / (1 + 0.7 * TIMES) + 0.4 + 0.01 * np.cos(5 * TIMES)
 
 
 class Residuals(unittest.TestCase):
+    def test_a_sum_of_magnitudes_and_a_maximum(self):
+        outlying = MEASURED + 3 * (np.arange(8) == 4)
+        for objective, norm in (("sum-of-magnitudes", 1), ("max-magnitude", np.inf), ("max-value", None)):
+            fit = trust_region.minimize_residuals(lambda x: misfit(x, TIMES, outlying), [1, 0.1, 0], 8, objective, lower=[0, 0, -1],
+                                                  upper=[10, 2, 1])
+            final = misfit(fit.x, TIMES, outlying)
+            self.assertTrue(fit.success)
+            self.assertAlmostEqual(fit.value, np.linalg.norm(final, norm) if norm else final.max(), places=12)
+        robust = trust_region.minimize_residuals(lambda x: misfit(x, TIMES, outlying), [1, 0.1, 0], 8, "sum-of-magnitudes")
+        np.testing.assert_allclose(robust.x, [2.5, 0.7, 0.4], atol=0.1)  # as without the outlier
+        with self.assertRaisesRegex(ValueError, "objective='max'"):
+            trust_region.minimize_residuals(lambda x: x, [1.0], 1, "max")
+
     def test_minimum_is_that_of_scipy_and_of_the_library(self):
         for bounds in ((-np.inf, np.inf), ([0, 0, -1], [2, 2, 1]), Bounds([0, 0, -1], [2, 2, 1])):
             # SciPy 1.10 asks for pairs of arrays where it knows no Bounds.

@@ -58,6 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   obc_trust_region_problem problem;
   obc_trust_region_problem_init(&problem, sizeof problem);
   problem.n = in.one_in(40) ? in.bits() : n;
+  if (in.one_in(3)) problem.objective = static_cast<std::int32_t>(in.below(5));
   problem.residuals = in.one_in(40) ? in.bits() : m;
   const bool whole = problem.n == n && problem.residuals == m;
   if (!whole) {  // sizes that no memory has: refused before an array is read

@@ -7,6 +7,11 @@ const OBC_TRUST_REGION_AUTOMATIC = Int32(0)
 const OBC_TRUST_REGION_CHAIN = Int32(1)
 const OBC_TRUST_REGION_CROSS = Int32(2)
 
+const OBC_TRUST_REGION_SUM_OF_SQUARES = Int32(0)
+const OBC_TRUST_REGION_SUM_OF_MAGNITUDES = Int32(1)
+const OBC_TRUST_REGION_MAX_MAGNITUDE = Int32(2)
+const OBC_TRUST_REGION_MAX_VALUE = Int32(3)
+
 const OBC_TRUST_REGION_NEED_VALUES = Int32(1)
 const OBC_TRUST_REGION_ITERATION = Int32(2)
 const OBC_TRUST_REGION_DONE = Int32(3)
@@ -33,6 +38,7 @@ mutable struct obc_trust_region_problem <: CStruct
     upper::Ptr{Float64}
     scale::Ptr{Float64}
     sign::Ptr{Float64}
+    objective::Int32
     obc_trust_region_problem() = zeroed!(new())
 end
 

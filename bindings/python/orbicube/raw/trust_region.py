@@ -11,6 +11,11 @@ OBC_TRUST_REGION_AUTOMATIC = 0
 OBC_TRUST_REGION_CHAIN = 1
 OBC_TRUST_REGION_CROSS = 2
 
+OBC_TRUST_REGION_SUM_OF_SQUARES = 0
+OBC_TRUST_REGION_SUM_OF_MAGNITUDES = 1
+OBC_TRUST_REGION_MAX_MAGNITUDE = 2
+OBC_TRUST_REGION_MAX_VALUE = 3
+
 OBC_TRUST_REGION_NEED_VALUES = 1
 OBC_TRUST_REGION_ITERATION = 2
 OBC_TRUST_REGION_DONE = 3
@@ -43,6 +48,7 @@ class obc_trust_region_problem(_Struct):
         ("upper", _c.c_void_p),
         ("scale", _c.c_void_p),
         ("sign", _c.c_void_p),
+        ("objective", _c.c_int32),
     ]
 
 

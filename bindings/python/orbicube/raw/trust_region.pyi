@@ -10,6 +10,11 @@ OBC_TRUST_REGION_AUTOMATIC: int
 OBC_TRUST_REGION_CHAIN: int
 OBC_TRUST_REGION_CROSS: int
 
+OBC_TRUST_REGION_SUM_OF_SQUARES: int
+OBC_TRUST_REGION_SUM_OF_MAGNITUDES: int
+OBC_TRUST_REGION_MAX_MAGNITUDE: int
+OBC_TRUST_REGION_MAX_VALUE: int
+
 OBC_TRUST_REGION_NEED_VALUES: int
 OBC_TRUST_REGION_ITERATION: int
 OBC_TRUST_REGION_DONE: int
@@ -38,7 +43,8 @@ class obc_trust_region_problem(Struct):
     upper: Any
     scale: Any
     sign: Any
-    def __init__(self, struct_size: int = ..., n: int = ..., residuals: int = ..., lower: Any = ..., upper: Any = ..., scale: Any = ..., sign: Any = ...) -> None: ...
+    objective: int
+    def __init__(self, struct_size: int = ..., n: int = ..., residuals: int = ..., lower: Any = ..., upper: Any = ..., scale: Any = ..., sign: Any = ..., objective: int = ...) -> None: ...
 
 class obc_trust_region_options(Struct):
     struct_size: int

@@ -16,6 +16,15 @@ pub const OBC_TRUST_REGION_CHAIN: i32 = 1;
 /// x0 and steps to both sides along the axes, all requested at once
 pub const OBC_TRUST_REGION_CROSS: i32 = 2;
 
+/// sum\_i sign\_i r\_i^2
+pub const OBC_TRUST_REGION_SUM_OF_SQUARES: i32 = 0;
+/// sum\_i |r\_i|: L1 fits
+pub const OBC_TRUST_REGION_SUM_OF_MAGNITUDES: i32 = 1;
+/// max\_i |r\_i|: Chebyshev fits
+pub const OBC_TRUST_REGION_MAX_MAGNITUDE: i32 = 2;
+/// max\_i r\_i: minimax problems
+pub const OBC_TRUST_REGION_MAX_VALUE: i32 = 3;
+
 /// evaluate f, or the residuals, at each of \*count points, then call \_tell
 pub const OBC_TRUST_REGION_NEED_VALUES: i32 = 1;
 /// a step is complete; requires no action
@@ -84,6 +93,8 @@ pub struct obc_trust_region_problem {
     pub scale: *const f64,
     /// m signs of the squares, 1 or -1; NULL: 1. With a -1 f may have no minimum without bounds or a target. Default: NULL.
     pub sign: *const f64,
+    /// OBC\_TRUST\_REGION\_SUM\_OF\_SQUARES or another, which needs residuals and no sign. Default: SUM\_OF\_SQUARES.
+    pub objective: i32,
 }
 
 /// Options of a run. Fill with \_options\_init.
@@ -201,7 +212,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_trust_region_problem>(), align_of::<obc_trust_region_problem>()), (56, 8));
+        assert_eq!((size_of::<obc_trust_region_problem>(), align_of::<obc_trust_region_problem>()), (64, 8));
         let it = MaybeUninit::<obc_trust_region_problem>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_trust_region_problem.struct_size");
@@ -211,6 +222,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).upper) } as usize - start as usize, 32, "obc_trust_region_problem.upper");
         assert_eq!(unsafe { addr_of!((*start).scale) } as usize - start as usize, 40, "obc_trust_region_problem.scale");
         assert_eq!(unsafe { addr_of!((*start).sign) } as usize - start as usize, 48, "obc_trust_region_problem.sign");
+        assert_eq!(unsafe { addr_of!((*start).objective) } as usize - start as usize, 56, "obc_trust_region_problem.objective");
         assert_eq!((size_of::<obc_trust_region_options>(), align_of::<obc_trust_region_options>()), (80, 8));
         let it = MaybeUninit::<obc_trust_region_options>::uninit();
         let start = it.as_ptr();

@@ -49,6 +49,8 @@ pub struct Problem {
     pub scale: Vec<f64>,
     /// 1 or -1 a residual: how squares are summed.
     pub sign: Vec<f64>,
+    /// What f is of residuals: `OBC_TRUST_REGION_SUM_OF_SQUARES` or another constant.
+    pub objective: i32,
 }
 
 impl Problem {
@@ -68,6 +70,7 @@ impl Problem {
         problem.upper = pointer(&self.upper);
         problem.scale = pointer(&self.scale);
         problem.sign = pointer(&self.sign);
+        problem.objective = self.objective;
         Ok(problem)
     }
 }
@@ -103,7 +106,7 @@ pub fn minimize<E: Into<Evaluation>>(mut f: impl FnMut(&[f64]) -> E, x: &mut [f6
     run(|x, outputs| f(x).into().code(&mut outputs[0]), 0, x, problem, options)
 }
 
-/// The minimum sum of squares of `count` residuals, which `f` fills; it returns nothing or an [`Answer`].
+/// The minimum sum of squares, or what else the problem's objective is, of `count` residuals, which `f` fills; it returns nothing or an [`Answer`].
 pub fn least_squares<A: Into<Answer>>(mut f: impl FnMut(&[f64], &mut [f64]) -> A, count: usize, x: &mut [f64],
                                       problem: &Problem, options: &Options) -> Result<Report, Error> {
     if count == 0 {
