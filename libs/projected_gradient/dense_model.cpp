@@ -1,8 +1,10 @@
 #include "projected_gradient/dense_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/vector_variants.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
@@ -14,6 +16,72 @@ void add_scaled(double* to, double factor, const double* from, std::size_t first
     to[j] += factor * from[j];
 }
 
+// The matrix += first p p' + second y y', n x n.
+ORBICUBE_VECTOR_VARIANTS void add_two_squares(double* __restrict matrix, std::size_t n, double first, const double* p,
+                                              double second, const double* y) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = first * p[i], b = second * y[i];
+    for (std::size_t j = 0; j < n; ++j)
+      matrix[i * n + j] += a * p[j] + b * y[j];
+  }
+}
+
+// out = matrix v, by the rows of the symmetric n x n matrix.
+ORBICUBE_VECTOR_VARIANTS void multiply_symmetric(const double* matrix, std::size_t n, const double* v,
+                                                 double* __restrict out) {
+  for (std::size_t j = 0; j < n; ++j)
+    out[j] = 0;
+  std::size_t i = 0;
+  for (; i + 2 <= n; i += 2) {
+    for (std::size_t j = 0; j < n; ++j)
+      out[j] += v[i] * matrix[i * n + j] + v[i + 1] * matrix[(i + 1) * n + j];
+  }
+  for (std::size_t j = 0; i < n && j < n; ++j)
+    out[j] += v[i] * matrix[i * n + j];
+}
+
+ORBICUBE_INLINE double dot_of_few(const double* a, const double* b, std::size_t count) {
+  std::array<double, 4> sum{};
+  std::size_t j = 0;
+  for (; j + 4 <= count; j += 4) {
+    for (std::size_t k = 0; k < 4; ++k)
+      sum[k] += a[j + k] * b[j + k];
+  }
+  for (std::size_t k = 0; j < count; ++j, ++k)
+    sum[k] += a[j] * b[j];
+  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+// The pairs from the oldest on, in two runs of a ring: `first` of them from the slot `oldest`, the others from slot 0.
+struct Pairs {
+  const double *steps, *changes, *curvatures;
+  std::size_t n, oldest, first, count;
+
+  std::size_t slot(std::size_t k) const { return k < first ? oldest + k : k - first; }
+};
+
+// d = -B^-1 d; parts: one entry a pair.
+ORBICUBE_VECTOR_VARIANTS void run_two_loops(const Pairs& pairs, double sigma, double* __restrict parts,
+                                            double* __restrict d) {
+  const std::size_t n = pairs.n;
+  for (std::size_t k = pairs.count; k-- > 0;) {
+    const std::size_t slot = pairs.slot(k);
+    const double* y = pairs.changes + slot * n;
+    const double part = parts[k] = dot_of_few(pairs.steps + slot * n, d, n) / pairs.curvatures[slot];
+    for (std::size_t j = 0; j < n; ++j)
+      d[j] -= part * y[j];
+  }
+  for (std::size_t j = 0; j < n; ++j)
+    d[j] = -d[j] / sigma;
+  for (std::size_t k = 0; k < pairs.count; ++k) {
+    const std::size_t slot = pairs.slot(k);
+    const double* s = pairs.steps + slot * n;
+    const double part = dot_of_few(pairs.changes + slot * n, d, n) / pairs.curvatures[slot] + parts[k];
+    for (std::size_t j = 0; j < n; ++j)
+      d[j] -= part * s[j];
+  }
+}
+
 }  // namespace
 
 DenseModel::DenseModel(std::size_t n, std::size_t capacity, std::pmr::memory_resource* memory)
@@ -21,6 +89,8 @@ DenseModel::DenseModel(std::size_t n, std::size_t capacity, std::pmr::memory_res
       capacity_(capacity),
       steps_(n * capacity, 0.0, memory),
       changes_(n * capacity, 0.0, memory),
+      curvatures_(capacity, 0.0, memory),
+      parts_(capacity, 0.0, memory),
       matrix_(n * n, 0.0, memory),
       factor_(n * n, 0.0, memory),
       in_face_(n, 0, memory),
@@ -34,12 +104,27 @@ bool DenseModel::push(std::span<const double> s, std::span<const double> y, doub
     steps_[next_ * n_ + j] = s[j] * scale;
     changes_[next_ * n_ + j] = y[j] * scale;
   }
+  curvatures_[next_] = curvature * scale * scale;
   next_ = (next_ + 1) % capacity_;
   count_ = std::min<std::uint64_t>(count_ + 1, capacity_);
   sigma_ = sigma > 0 && std::isfinite(sigma) ? sigma : dot(y, y) / curvature;
-  if (rebuild()) return true;
-  clear();
-  return false;
+  prepared_ = false;
+  return true;
+}
+
+bool DenseModel::minimise(std::span<const double> gradient, std::span<double> d, const base::Host&) {
+  if (empty()) return false;
+  std::copy(gradient.begin(), gradient.end(), d.begin());
+  const std::size_t oldest = (next_ + capacity_ - count_) % capacity_;
+  run_two_loops({steps_.data(), changes_.data(), curvatures_.data(), n_, oldest, capacity_ - oldest, count_}, sigma_,
+                parts_.data(), d.data());
+  return all_finite(d);
+}
+
+void DenseModel::prepare() {
+  if (prepared_ || empty()) return;
+  prepared_ = rebuild();
+  if (!prepared_) clear();
 }
 
 bool DenseModel::rebuild() {
@@ -57,24 +142,15 @@ bool DenseModel::add_pair(std::size_t slot) {
   const double* s = steps_.data() + slot * n_;
   const double* y = changes_.data() + slot * n_;
   multiply_matrix(s);
-  double modelled = 0, curvature = 0;
-  for (std::size_t j = 0; j < n_; ++j) {
-    modelled += s[j] * product_[j];
-    curvature += s[j] * y[j];
-  }
+  const double modelled = dot_of_few(s, product_.data(), n_);
   if (!(modelled > 0) || !std::isfinite(1 / modelled)) return false;
-  for (std::size_t i = 0; i < n_; ++i) {
-    add_scaled(matrix_.data() + i * n_, -product_[i] / modelled, product_.data(), 0, n_);
-    add_scaled(matrix_.data() + i * n_, y[i] / curvature, y, 0, n_);
-  }
+  add_two_squares(matrix_.data(), n_, -1 / modelled, product_.data(), 1 / curvatures_[slot], y);
   return true;
 }
 
-// product_ = B v, by the rows of the symmetric B.
+// product_ = B v.
 void DenseModel::multiply_matrix(const double* v) const {
-  std::fill(product_.begin(), product_.end(), 0.0);
-  for (std::size_t i = 0; i < n_; ++i)
-    add_scaled(product_.data(), v[i], matrix_.data() + i * n_, 0, n_);
+  multiply_symmetric(matrix_.data(), n_, v, product_.data());
 }
 
 void DenseModel::multiply(std::span<const double> v, std::span<double> out, const base::Host&) const {

@@ -27,12 +27,30 @@ bool FaceStep::move(const FeasibleSet& set, std::span<double> target) {
   return true;
 }
 
+// Whether the model's minimizer without bounds is within them; then it is the target.
+bool FaceStep::step_freely(const FeasibleSet& set, HessianModel& model, std::span<const double> x,
+                           std::span<const double> gradient, std::span<double> target, const base::Host& host) {
+  if (!set.box()) return false;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    // Not where the gradient points out of a bound.
+    if ((gradient[j] > 0 && x[j] == set.lower()[j]) || (gradient[j] < 0 && x[j] == set.upper()[j])) return false;
+  }
+  if (!model.minimise(gradient, direction_, host)) return false;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    target[j] = x[j] + direction_[j];
+    if (!(target[j] >= set.lower()[j] && target[j] <= set.upper()[j])) return false;
+  }
+  return dot(gradient, direction_) < 0;
+}
+
 Projected FaceStep::find(FeasibleSet& set, HessianModel& model, std::span<const double> x,
                          std::span<const double> gradient, double projected_gradient, std::span<double> target,
                          const base::Host& host) {
   constexpr int round_limit = 8, shrink_limit = 3;
   constexpr double enough = 0.5;
   const std::size_t n = x.size();
+  if (step_freely(set, model, x, gradient, target, host)) return Projected::done;
+  model.prepare();
   std::copy(x.begin(), x.end(), target.begin());
   std::copy(gradient.begin(), gradient.end(), model_gradient_.begin());
   double curvature = model.sigma();

@@ -24,6 +24,8 @@ class FaceStep {
                  double projected_gradient, std::span<double> target, const base::Host& host);
 
  private:
+  bool step_freely(const FeasibleSet& set, HessianModel& model, std::span<const double> x,
+                   std::span<const double> gradient, std::span<double> target, const base::Host& host);
   bool move(const FeasibleSet& set, std::span<double> target);
 
   base::Array<double> moved_, projected_, direction_, curved_, model_gradient_;  // n each

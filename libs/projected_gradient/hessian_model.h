@@ -22,9 +22,13 @@ class HessianModel {
   void set_sigma(double sigma) { sigma_ = sigma; }
 
   // Adds step s and change of gradient y with the new sigma (y'y / s'y if it is not positive). False, and the pair not
-  // kept, when the curvature s'y is not safely positive; or when B can not be computed with it (then the model is
-  // empty).
+  // kept, when the curvature s'y is not safely positive.
   virtual bool push(std::span<const double> s, std::span<const double> y, double sigma) = 0;
+
+  // d = -B^-1 gradient, without prepare(); false when there are no pairs, or rounding spoils it.
+  virtual bool minimise(std::span<const double> gradient, std::span<double> d, const base::Host& host) = 0;
+  // Readies what follows after pairs were added; the model is empty when B can not be computed with them.
+  virtual void prepare() = 0;
 
   // out = B v.
   virtual void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const = 0;
@@ -37,6 +41,7 @@ class HessianModel {
 
  protected:
   std::uint64_t count_ = 0;  // of the pairs
+  bool prepared_ = false;    // since the last of them
   double sigma_ = 1;
 };
 

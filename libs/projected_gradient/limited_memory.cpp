@@ -4,36 +4,72 @@
 #include <array>
 #include <cmath>
 
+#include "base/vector_variants.h"
 #include "projected_gradient/small_dense.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
 namespace {
 
-// products += v row, and row . coefficients, over one row of the table; compilers make vector code of both.
+// products += v row.
 void add_scaled_row(const double* row, double v, std::span<double> products) {
   for (std::size_t k = 0; k < products.size(); ++k)
     products[k] += v * row[k];
 }
 
-double row_dot(const double* row, std::span<const double> coefficients) {
-  double even = 0, odd = 0;  // the width is even
-  for (std::size_t k = 0; k < coefficients.size(); k += 2) {
-    even += row[k] * coefficients[k];
-    odd += row[k + 1] * coefficients[k + 1];
+// products += sum_j v_j row_j, `count` rows of `width`; four at once, so that products are loaded less often.
+ORBICUBE_VECTOR_VARIANTS void add_rows(const double* rows, std::size_t count, std::size_t width, const double* v,
+                                       double* __restrict products) {
+  std::size_t j = 0;
+  for (; j + 4 <= count; j += 4) {
+    const double a = v[j], b = v[j + 1], c = v[j + 2], d = v[j + 3];
+    if (a == 0 && b == 0 && c == 0 && d == 0) continue;
+    const double* row = rows + j * width;
+    for (std::size_t k = 0; k < width; ++k)
+      products[k] += (a * row[k] + b * row[width + k]) + (c * row[2 * width + k] + d * row[3 * width + k]);
   }
-  return even + odd;
+  for (; j < count; ++j) {
+    for (std::size_t k = 0; k < width; ++k)
+      products[k] += v[j] * rows[j * width + k];
+  }
+}
+
+// out_j = row_j . coefficients, of an even `width`.
+ORBICUBE_VECTOR_VARIANTS void multiply_rows(const double* rows, std::size_t count, std::size_t width,
+                                            const double* coefficients, double* __restrict out) {
+  for (std::size_t j = 0; j < count; ++j) {
+    const double* row = rows + j * width;
+    base::Four sum{};
+    std::size_t k = 0;
+    for (; k + 4 <= width; k += 4)
+      sum += base::load(row + k) * base::load(coefficients + k);
+    for (; k < width; k += 2) {
+      sum[0] += row[k] * coefficients[k];
+      sum[1] += row[k + 1] * coefficients[k + 1];
+    }
+    out[j] = (sum[0] + sum[2]) + (sum[1] + sum[3]);
+  }
 }
 
 // A pass over the table of a million unknowns takes longer than a host should wait.
+constexpr std::size_t rows_between_reports = 1 << 16;
+
 void report_row(const base::Host& host, std::size_t row) {
-  constexpr std::size_t every = 1 << 16;
-  if (row % every == every - 1) host.report("model", row, 0);
+  if (row % rows_between_reports == rows_between_reports - 1) host.report("model", row, 0);
+}
+
+// Calls work(first, count) for parts of the rows, and reports after each.
+template <class Work>
+void for_parts(std::size_t rows, const base::Host& host, const Work& work) {
+  for (std::size_t first = 0; first < rows; first += rows_between_reports) {
+    if (first > 0) host.report("model", first, 0);
+    work(first, std::min(rows_between_reports, rows - first));
+  }
 }
 
 // Lower triangle of gram += the rows' outer products, four rows at once so that gram is loaded and stored less often.
-void add_outer_products(const double* a, const double* b, const double* c, const double* d, std::size_t width,
-                        double* gram) {
+ORBICUBE_VECTOR_VARIANTS void add_outer_products(const double* a, const double* b, const double* c, const double* d,
+                                                 std::size_t width, double* __restrict gram) {
   for (std::size_t i = 0; i < width; ++i) {
     double* to = gram + i * width;
     for (std::size_t k = 0; k <= i; ++k)
@@ -49,6 +85,7 @@ LimitedMemory::LimitedMemory(std::size_t n, std::size_t m, std::size_t capacity,
       table_(n * 2 * capacity, 0.0, memory),
       step_products_(capacity * capacity, 0.0, memory),
       mixed_products_(capacity * capacity, 0.0, memory),
+      change_products_(capacity * capacity, 0.0, memory),
       plain_middle_(4 * capacity * capacity, 0.0, memory),
       middle_(plain_middle_.size(), 0.0, memory),
       face_middle_(plain_middle_.size(), 0.0, memory),
@@ -73,25 +110,63 @@ bool LimitedMemory::push(std::span<const double> s, std::span<const double> y, d
   newest_ = slot;
   sigma_ = sigma > 0 && std::isfinite(sigma) ? sigma : dot(y, y) / curvature;
 
-  // Products of the new pair with all of them, one pass over the table.
+  // Products of the new pair with all of them.
   const std::size_t width = 2 * capacity_;
   const std::span<double> with_s = std::span(gram_).first(width), with_y = std::span(gram_).subspan(width, width);
   std::fill_n(gram_.begin(), 2 * width, 0.0);  // gram_ is free between faces
-  for (std::size_t j = 0; j < n_; ++j) {
-    const double* row = table_.data() + j * width;
-    if (row[slot] != 0) add_scaled_row(row, row[slot], with_s);
-    if (row[capacity_ + slot] != 0) add_scaled_row(row, row[capacity_ + slot], with_y);
-  }
+  add_rows(table_.data(), n_, width, s.data(), with_s.data());
+  add_rows(table_.data(), n_, width, y.data(), with_y.data());
   for (std::size_t k = 0; k < count_; ++k) {
-    step_products_[slot * capacity_ + k] = step_products_[k * capacity_ + slot] = with_s[k];
-    mixed_products_[slot * capacity_ + k] = with_s[capacity_ + k];
-    mixed_products_[k * capacity_ + slot] = with_y[k];
+    step_products_[slot * capacity_ + k] = step_products_[k * capacity_ + slot] = scale * with_s[k];
+    mixed_products_[slot * capacity_ + k] = scale * with_s[capacity_ + k];
+    mixed_products_[k * capacity_ + slot] = scale * with_y[k];
+    change_products_[slot * capacity_ + k] = change_products_[k * capacity_ + slot] = scale * with_y[capacity_ + k];
   }
-  if (!rebuild()) {
-    clear();
-    return false;
-  }
+  prepared_ = false;
   return true;
+}
+
+void LimitedMemory::prepare() {
+  if (prepared_ || empty()) return;
+  prepared_ = rebuild();
+  if (!prepared_) clear();
+}
+
+// With R the upper triangle of S'Y in the order of the pairs, D its diagonal, p = S'g and q = Y'g:
+// B^-1 g = (g - Y w) / sigma + S t,  R w = p,  R't = D w + (Y'Y w - q) / sigma.
+bool LimitedMemory::minimise(std::span<const double> gradient, std::span<double> d, const base::Host& host) {
+  if (empty()) return false;
+  const std::size_t c = count_;
+  multiply_table(gradient, host);
+  const std::span<double> w = std::span(dense_).first(c), t = std::span(dense_).subspan(c, c);
+  for (std::size_t i = c; i-- > 0;) {
+    const std::size_t row = slot_of_age(c - 1 - i);
+    w[i] = products_[row];
+    for (std::size_t k = i + 1; k < c; ++k)
+      w[i] -= mixed_products_[row * capacity_ + slot_of_age(c - 1 - k)] * w[k];
+    w[i] /= mixed_products_[row * capacity_ + row];
+  }
+  for (std::size_t i = 0; i < c; ++i) {
+    const std::size_t row = slot_of_age(c - 1 - i);
+    double changes = -products_[capacity_ + row];
+    t[i] = mixed_products_[row * capacity_ + row] * w[i];
+    for (std::size_t k = 0; k < c; ++k) {
+      const std::size_t other = slot_of_age(c - 1 - k);
+      changes += change_products_[row * capacity_ + other] * w[k];
+      if (k < i) t[i] -= mixed_products_[other * capacity_ + row] * t[k];
+    }
+    t[i] = (t[i] + changes / sigma_) / mixed_products_[row * capacity_ + row];
+  }
+  std::fill(products_.begin(), products_.end(), 0.0);
+  for (std::size_t i = 0; i < c; ++i) {
+    const std::size_t row = slot_of_age(c - 1 - i);
+    products_[row] = t[i];
+    products_[capacity_ + row] = -w[i] / sigma_;
+  }
+  multiply_by_table(d, host);
+  for (std::size_t j = 0; j < n_; ++j)
+    d[j] = -(gradient[j] / sigma_ + d[j]);
+  return all_finite(d);
 }
 
 bool LimitedMemory::rebuild() {
@@ -126,19 +201,24 @@ void LimitedMemory::solve_middle(std::span<const double> factors, std::span<cons
 
 void LimitedMemory::multiply_table(std::span<const double> v, const base::Host& host) const {
   std::fill(products_.begin(), products_.end(), 0.0);
-  for (std::size_t j = 0; j < n_ && count_ > 0; ++j) {
-    report_row(host, j);
-    if (v[j] != 0) add_scaled_row(table_.data() + j * 2 * capacity_, v[j], products_);
-  }
+  if (count_ == 0) return;
+  for_parts(n_, host, [&](std::size_t first, std::size_t rows) {
+    add_rows(table_.data() + first * 2 * capacity_, rows, 2 * capacity_, v.data() + first, products_.data());
+  });
+}
+
+void LimitedMemory::multiply_by_table(std::span<double> out, const base::Host& host) const {
+  for_parts(n_, host, [&](std::size_t first, std::size_t rows) {
+    multiply_rows(table_.data() + first * 2 * capacity_, rows, 2 * capacity_, products_.data(), out.data() + first);
+  });
 }
 
 void LimitedMemory::multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const {
   multiply_table(v, host);
   solve_middle(middle_, middle_pivots_);
-  for (std::size_t j = 0; j < n_; ++j) {
-    report_row(host, j);
-    out[j] = sigma_ * v[j] - (count_ > 0 ? row_dot(table_.data() + j * 2 * capacity_, products_) : 0.0);
-  }
+  multiply_by_table(out, host);
+  for (std::size_t j = 0; j < n_; ++j)
+    out[j] = sigma_ * v[j] - out[j];
 }
 
 bool LimitedMemory::enter_face(const FeasibleSet& set, const base::Host& host) {
@@ -200,12 +280,16 @@ void LimitedMemory::minimise_in_face(const FeasibleSet& set, std::span<const dou
   multiply_table(d, host);
   solve_middle(face_middle_, face_pivots_);
   const std::span<const std::uint8_t> free = set.free();
-  for (std::size_t j = 0; j < n_; ++j) {
-    report_row(host, j);
-    if (!free[j]) continue;
-    const double sum = count_ > 0 ? row_dot(table_.data() + j * 2 * capacity_, products_) : 0.0;
-    d[j] = -(d[j] + sum / sigma_) / sigma_;
-  }
+  for_parts(n_, host, [&](std::size_t first, std::size_t rows) {
+    std::array<double, 64> sums;
+    for (std::size_t begin = first; begin < first + rows; begin += sums.size()) {
+      const std::size_t some = std::min(sums.size(), first + rows - begin);
+      multiply_rows(table_.data() + begin * 2 * capacity_, some, 2 * capacity_, products_.data(), sums.data());
+      for (std::size_t k = 0; k < some; ++k) {
+        if (free[begin + k]) d[begin + k] = -(d[begin + k] + sums[k] / sigma_) / sigma_;
+      }
+    }
+  });
   set.project_to_face(d);
 }
 

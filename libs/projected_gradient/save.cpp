@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCPGRD4", "projected_gradient");
+constexpr base::SavedRun<Description> saved_run("OBCPGRD5", "projected_gradient");
 
 }  // namespace
 
@@ -42,7 +42,6 @@ void Solver::load(std::span<const std::byte> blob) {
   const bool same = saved.fingerprint == set_.fingerprint() && saved.options.method == options_.method;
   saved_run.read(blob, same, [this](const auto& visit) { visit_state(*this, visit); });
   options_ = saved.options;
-  if (!limited_.empty() && !limited_.rebuild()) throw base::Error("parse", "a saved run is damaged");
 }
 
 }  // namespace orbicube::projected_gradient

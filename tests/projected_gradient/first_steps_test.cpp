@@ -13,6 +13,7 @@ using namespace orbicube;
 using namespace orbicube::test;
 using projected_gradient::DenseModel;
 using projected_gradient::FeasibleSet;
+using projected_gradient::HessianModel;
 using projected_gradient::LimitedMemory;
 
 namespace {
@@ -156,6 +157,14 @@ TEST_CASE("The matrix of few unknowns is that of the compact form, also after pa
     REQUIRE(compact.push(s, y, 3));
     // Sums of n products of numbers near 10: rounding is far below.
     constexpr double rounding = 1e-11;
+    for (HessianModel* model : {static_cast<HessianModel*>(&dense), static_cast<HessianModel*>(&compact)}) {
+      REQUIRE(model->minimise(v, first, host));
+      model->prepare();
+      REQUIRE(!model->empty());
+      model->multiply(first, second, host);
+      for (std::size_t j = 0; j < n; ++j)
+        CHECK(std::abs(second[j] + v[j]) < rounding);
+    }
     dense.multiply(s, first, host);
     for (std::size_t j = 0; j < n; ++j)
       CHECK(std::abs(first[j] - y[j]) < rounding);
