@@ -21,7 +21,7 @@ class Corners {
   double width() const { return width_; }
   void set_width(double width) { width_ = width; }
 
-  // By how much h_w differs from h at most.
+  // A bound on h_w - h.
   double error(std::size_t count) const {
     const double terms = static_cast<double>(count);
     if (objective_ == Objective::sum_of_magnitudes) return width_ * terms;
