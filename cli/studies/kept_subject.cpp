@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "files/surface_file.h"
 #include "mesh/files/read.h"
+#include "studies/rounding.h"
 
 namespace orbicube::cli {
 namespace {
@@ -76,6 +77,16 @@ std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, c
   });
 }
 
+std::optional<std::string> kept_rounding(const std::filesystem::path& folder, const std::string& name,
+                                         const std::string& hash, const base::Host& host) {
+  return read_or_nothing([&]() -> std::optional<std::string> {
+    const Json json = json_of(folder, name, hash, host);
+    if (json.empty()) return std::nullopt;
+    const Json rounding = json.value("rounding", Json());
+    return rounding.is_string() ? rounding.get<std::string>() : "none";
+  });
+}
+
 std::optional<FailedSubject> kept_failure(const std::filesystem::path& folder, const std::string& name,
                                           const std::string& hash, const base::Host& host) {
   return read_or_nothing([&]() -> std::optional<FailedSubject> {
@@ -95,6 +106,7 @@ void keep_subject(const std::filesystem::path& folder, const std::string& name, 
   write_output(surface_of(folder, name), mesh, true, session);
   const std::filesystem::path json = beside(folder, name, ".json");
   Json content = {{"hash", hash},
+                  {"rounding", rounding_digest()},
                   {"result_hash", hash_of(subject.positions, dumped(subject.figures) + dumped(subject.functions))},
                   {"figures", subject.figures}};
   if (!subject.functions.is_null()) content["functions"] = subject.functions;
@@ -111,7 +123,9 @@ void keep_failure(const std::filesystem::path& folder, const std::string& name, 
   try {
     const Json why = {{"kind", failed.kind}, {"message", failed.text}};
     base::OutputFile file(beside(folder, name, ".json"));
-    file.write(dumped({{"hash", hash}, {"result_hash", hash_of({}, dumped(why))}, {"failed", why}}) + "\n");
+    const Json content = {
+        {"hash", hash}, {"rounding", rounding_digest()}, {"result_hash", hash_of({}, dumped(why))}, {"failed", why}};
+    file.write(dumped(content) + "\n");
     file.commit();
     std::error_code problem;
     std::filesystem::remove(surface_of(folder, name), problem);

@@ -21,11 +21,15 @@ std::string hash_of(std::span<const mesh::Vector3> positions, const std::string&
 std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,
                                           const std::string& hash, const base::Host& host);
 
+// Returns the digest of the machine (rounding.h) that made what NAME.json has of this hash.
+std::optional<std::string> kept_rounding(const std::filesystem::path& folder, const std::string& name,
+                                         const std::string& hash, const base::Host& host);
+
 // Returns why the subject cannot be mapped if NAME.json says it of this hash.
 std::optional<FailedSubject> kept_failure(const std::filesystem::path& folder, const std::string& name,
                                           const std::string& hash, const base::Host& host);
 
-// Writes both files, the JSON last. Throws Failure.
+// Writes both files, the JSON last and with the digest of this machine. Throws Failure.
 void keep_subject(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
                   const MappedSubject& subject, std::span<const mesh::Triangle> triangles, Session& session);
 

@@ -15,6 +15,7 @@
 #include "report/sphere_uses.h"
 #include "report/unit_size.h"
 #include "studies/kept_subject.h"
+#include "studies/rounding.h"
 #include "studies/subject_file.h"
 
 namespace orbicube::cli {
@@ -84,6 +85,11 @@ class SharedProgress {
   std::atomic<bool> cancelled_ = false;
 };
 
+// About a subject that is not for this process to map again.
+class MappedElsewhere : public Failure {
+  using Failure::Failure;
+};
+
 class SubjectMaker {
  public:
   SubjectMaker(const std::vector<StudySubject>& list, const SubjectWork& work, const std::filesystem::path& folder,
@@ -109,6 +115,7 @@ class SubjectMaker {
     while (first < list_.size() && !make(first, session_.host().thread_count))
       require_same_first(first++);
     if (first < list_.size() && work_.which != Mapped::first) {
+      first_made_ = true;
       key_ += hash_of(mapped_[first]->positions);
       if (options_.align) functions_.emplace(coefficients_from(mapped_[first]->functions));
       const std::vector<std::size_t> others = others_than(first);
@@ -116,6 +123,10 @@ class SubjectMaker {
       session_.host().parallel_for(others.size(), [&](std::size_t i) { make(others[i], threads); });
     }
     progress_.require_not_cancelled();
+    if (const std::size_t count = made_elsewhere_; count > 0) {
+      session_.note(base::counted(count, "subject") + " of the study before " + (count == 1 ? "was" : "were") +
+                    " mapped on a machine whose elementary functions round otherwise, and again on this one");
+    }
     return collected();
   }
 
@@ -126,6 +137,8 @@ class SubjectMaker {
     try {
       mapped_[i] = made(i, threads);
       mapped_[i]->number = i;
+    } catch (const MappedElsewhere&) {
+      throw;
     } catch (const Failure& failure) {
       fail(i, failure.kind(), failure.what());
     } catch (const base::Error& error) {
@@ -174,12 +187,14 @@ class SubjectMaker {
     if (own.time_limit > 0) own.time_limit = std::max(1e-3, own.time_limit - session_.seconds());
     Session reading(own, "study", file);
     const std::string hash = hash_of_input(file, is_label_image(file) ? key_ + std::to_string(label_) : key_, reading);
-    if (std::optional<MappedSubject> kept = kept_subject(folder_, subject.name, hash, reading.host())) {
-      if (kept->positions.size() == grid_.directions.size()) return std::move(*kept);
-    }
-    if ((failed_[i] = kept_failure(folder_, subject.name, hash, reading.host()))) {
-      failed_[i]->number = i;
-      throw Failure(Exit::no_result, file, failed_[i]->kind, failed_[i]->text);
+    if (is_of_this_machine(i, hash, reading.host())) {
+      if (std::optional<MappedSubject> kept = kept_subject(folder_, subject.name, hash, reading.host())) {
+        if (kept->positions.size() == grid_.directions.size()) return std::move(*kept);
+      }
+      if ((failed_[i] = kept_failure(folder_, subject.name, hash, reading.host()))) {
+        failed_[i]->number = i;
+        throw Failure(Exit::no_result, file, failed_[i]->kind, failed_[i]->text);
+      }
     }
     if (work_.which == Mapped::kept) {
       throw Failure(Exit::no_result, file, "no-valid-result",
@@ -206,6 +221,23 @@ class SubjectMaker {
     keep_subject(folder_, subject.name, hash, mapped, grid_.triangles, reading);
     mapped.seconds = session_.seconds() - start;
     return mapped;
+  }
+
+  // Whether what the folder has of a subject, if anything, was made on a machine that rounds as this one.
+  bool is_of_this_machine(std::size_t i, const std::string& hash, const base::Host& host) {
+    const std::optional<std::string> digest = kept_rounding(folder_, list_[i].name, hash, host);
+    if (!digest || *digest == rounding_digest()) return true;
+    const bool group = work_.which == Mapped::kept;
+    if (group || (work_.which == Mapped::some && !first_made_)) {
+      throw MappedElsewhere(Exit::no_result, list_[i].file.string(), "unsupported",
+                            "it was mapped on a machine whose elementary functions round otherwise (digest " + *digest +
+                                ", here " + rounding_digest() +
+                                "), and a study takes subjects of machines that round alike, with one C library and "
+                                "processors of one kind; --stage " +
+                                (group ? "subjects" : "first") + " on this machine maps it again");
+    }
+    ++made_elsewhere_;
+    return false;
   }
 
   static Json figures_of(const correspondence::Subject& result, const ClosedSurface& surface, const Session& reading) {
@@ -239,7 +271,9 @@ class SubjectMaker {
   sphere_map::Grid grid_;
   std::string key_;
   std::optional<harmonics::Coefficients> functions_;  // of the first subject
-  std::vector<std::string> hashes_;                   // of those that are mapped by this process
+  bool first_made_ = false;
+  std::atomic<std::size_t> made_elsewhere_ = 0;
+  std::vector<std::string> hashes_;  // of those that are mapped by this process
   std::vector<std::optional<MappedSubject>> mapped_;
   std::vector<std::optional<FailedSubject>> failed_;
 };

@@ -44,11 +44,12 @@ struct SubjectWork {
 
 // Repairs and maps each subject, of an image the surface of its label (0: the only one), and carries the grid to it:
 // FOLDER/NAME.ply has its positions and FOLDER/NAME.json its figures, with hashes of the input, the options and the
-// positions, or FOLDER/NAME.json has why it cannot be mapped. The first subject that can be mapped is what the others
-// are aligned with. As many subjects at a time as there are threads; the same bits for any number, and for processes
-// that share the work in one folder. A subject that fails does not end the study. Throws Failure "no-valid-result"
-// where there are fewer than two of all or no first one, "out-of-memory" where processes could differ about the first
-// one, and "cancelled".
+// positions and the digest of the machine, or FOLDER/NAME.json has why it cannot be mapped. The first subject that can
+// be mapped is what the others are aligned with. As many subjects at a time as there are threads; the same bits for any
+// number, and for processes that share the work in one folder. A subject that fails does not end the study. Throws
+// Failure "no-valid-result" where there are fewer than two of all or no first one, "unsupported" where a machine that
+// rounds otherwise (rounding.h) has mapped the first one that some others are to follow, or one of a group,
+// "out-of-memory" where processes could differ about the first one, and "cancelled".
 StudySubjects map_subjects(const std::vector<StudySubject>& list, const SubjectWork& work,
                            const std::filesystem::path& folder, const correspondence::SubjectOptions& options,
                            std::int32_t label, const CommonOptions& common, Session& session);

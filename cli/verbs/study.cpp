@@ -13,6 +13,7 @@
 #include "report/grid_choice.h"
 #include "report/text.h"
 #include "session/unused_options.h"
+#include "studies/rounding.h"
 #include "studies/study_list.h"
 #include "studies/study_outputs.h"
 #include "studies/study_part.h"
@@ -115,6 +116,7 @@ void analyze_group(const StudyOptions& options, const StudySubjects& subjects, S
 
 void study(const StudyOptions& options, const CommonOptions& common, Session& session) {
   session.options() = json_of(options);
+  session.figures()["rounding"] = rounding_digest();
   const GridChoice grid = grid_choice(options.grid, "--grid");
   const base::Host& host = session.host();
   const std::vector<StudySubject> list = read_study_list(options.input, host);

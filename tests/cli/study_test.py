@@ -217,6 +217,56 @@ class Study(InFolder):
         self.assertEqual(self.study(folder)["reused"], 3)
         self.assertEqual(files_in(self.path("out")), whole)
 
+    def test_no_subject_is_taken_of_a_machine_that_rounds_otherwise(self):
+        folder = self.with_failing(3)
+        digest = self.part("list")[1]["rounding"]
+        self.assertRegex(digest, "^[0-9a-f]{16}$")
+        self.study(folder)
+        whole = files_in(self.path("out"))
+        kept = [json.loads(whole[os.path.join("subjects", f"{name}.json")]) for name in ("a", "c1", "c2", "c2b", "c3")]
+        self.assertEqual([k["rounding"] for k in kept], 5 * [digest])
+
+        def change(name):
+            path = self.path(f"out/subjects/{name}.json")
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text.replace(digest, "0123456789abcdef"))
+
+        # Another subject than the first one is made again, by a process that maps subjects.
+        change("c3")
+        stages = ("-o", self.path("out"), *GRID, "--stage")
+        line = self.refused(1, "unsupported", os.path.join(folder, "c3.obj"), "study", folder, *stages, "group")
+        self.assertIn(f"digest 0123456789abcdef, here {digest}", line)
+        report = self.part("subjects", "--subjects", "c2", "c3")[1]
+        self.assertEqual([s["reused"] for s in report["subjects"]], [True, True, False])
+        self.assertTrue(any("1 subject of the study before was mapped on a machine whose" in note for note in report["notes"]), report["notes"])
+        # The first one is not, where others have been mapped as well; nor is what failed before it.
+        for name in ("c1", "a"):
+            change(name)
+            for stage in (("group",), ("subjects", "--subjects", "c2")):
+                self.refused(1, "unsupported", os.path.join(folder, f"{name}.obj"), "study", folder, *stages, *stage)
+            self.assertEqual([s["reused"] for s in self.part("first")[1]["subjects"]], [name == "a"])
+            self.assertEqual(self.study(folder)["reused"], 3)
+            self.assertEqual(files_in(self.path("out")), whole)
+
+    def test_the_digest_of_rounding_is_that_of_the_functions(self):
+        folder = self.subjects(2)
+        tunables = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA_Usable,-AVX2,-AVX2_Usable,-FMA4,-FMA4_Usable"}
+        digest = self.part("list")[1]["rounding"]
+        self.study(folder)
+        self.assertEqual(run("study", folder, "--stage", "list", "--report", self.path("other.json"), env=tunables).returncode, 0)
+        with open(self.path("other.json"), encoding="utf-8") as file:
+            other = json.load(file)["rounding"]
+        if other == digest:
+            self.skipTest("glibc has no other functions for processors without FMA here")
+        line = self.refused(1, "unsupported", os.path.join(folder, "c1.obj"), "study", folder, "-o", self.path("out"), "--stage", "group", *GRID, env=tunables)
+        self.assertIn(f"digest {digest}, here {other}", line)
+        done = run("study", folder, "-o", self.path("out"), *GRID, env=tunables)
+        self.assertIn("2 subjects of the study before were mapped on a machine whose elementary functions round otherwise", done.stdout)
+        self.assertEqual(self.study(folder)["reused"], 0)
+        self.assertEqual(self.study(folder)["reused"], 2)
+
     def test_what_cannot_be_mapped_is_found_once(self):
         folder = self.with_failing(2)
         self.study(folder)

@@ -16,12 +16,13 @@ import tempfile
 import threading
 from typing import Any, Mapping, Optional, Sequence
 
-from ._call import Cancelled, Error, FileError, InvalidArgument, MalformedFile, NoValidResult, OutOfMemory
+from ._call import Cancelled, Error, FileError, InvalidArgument, MalformedFile, NoValidResult, OutOfMemory, Unsupported
 from .raw import base as raw
 
 _KINDS: dict[str, tuple[type[Error], int]] = {
     "usage": (InvalidArgument, raw.OBC_INVALID_ARGUMENT), "invalid-argument": (InvalidArgument, raw.OBC_INVALID_ARGUMENT),
     "parse": (MalformedFile, raw.OBC_MALFORMED_FILE), "empty-file": (MalformedFile, raw.OBC_MALFORMED_FILE),
+    "unsupported": (Unsupported, raw.OBC_UNSUPPORTED),
     "io": (FileError, raw.OBC_IO), "no-valid-result": (NoValidResult, raw.OBC_NO_VALID_RESULT),
     "out-of-memory": (OutOfMemory, raw.OBC_OUT_OF_MEMORY), "cancelled": (Cancelled, raw.OBC_CANCELLED),
     "time-limit": (Cancelled, raw.OBC_CANCELLED),

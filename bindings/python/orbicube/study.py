@@ -3,7 +3,8 @@
     result = study.run("subjects/", "out/")
     result = study.run("list.csv", "out/", client=dask.distributed.Client(address), groups="diagnosis")
 
-Every subject is a task. Results are the same bits wherever it ran; docs/study.md describes the steps and the files of `out/`.
+Every subject is a task. Results are the same bits wherever it ran; machines whose elementary functions round otherwise are refused.
+docs/study.md describes the steps and the files of `out/`.
 """
 
 from __future__ import annotations
@@ -214,6 +215,7 @@ class _Run:
     def __init__(self, given: _Given, workers: Workers, progress: Any, retries: int) -> None:
         self.given, self.workers, self.progress, self.retries = given, workers, progress, retries
         self.phase, self.done, self.total = "", 0, 0
+        self.rounding = ""                 # of the machine of the first task
         self.mapped: set[str] = set()      # by a task that has ended well
         self.broken: dict[str, str] = {}   # why the last attempt of a task has no result
 
@@ -289,6 +291,12 @@ class _Run:
             version = task.report.get("version", __version__)
             if version != __version__:
                 raise RuntimeError(f"{self.workers.where}: the command has version {version}, this package {__version__}")
+            rounding = task.report.get("rounding", self.rounding)
+            self.rounding = self.rounding or rounding
+            if rounding != self.rounding:
+                raise RuntimeError(f"{self.workers.where}: elementary functions round otherwise on the machine of {task.name!r} (digest "
+                                   f"{rounding}) than on that of the first task ({self.rounding}), and so would results; a study needs "
+                                   "machines with one C library and processors of one kind")
             return task
 
     def begin(self, phase: str, total: int) -> None:

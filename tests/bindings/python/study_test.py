@@ -92,6 +92,7 @@ class InFolder(unittest.TestCase):
 KILL_PARENT_ONCE = 'case "$*" in *--subjects=c05*) if once; then kill -9 $PPID; fi;; esac'
 KILL_ONCE = 'case "$*" in *--subjects=c05*) if once; then kill -9 $$; fi;; esac'
 KILL_ALWAYS = 'case "$*" in *--subjects=c05*) kill -9 $$;; esac'
+ELSEWHERE = 'case "$*" in *--subjects=c05*) export GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA_Usable,-AVX2,-AVX2_Usable,-FMA4,-FMA4_Usable;; esac'
 LOSE = f"""case "$*" in *--subjects=c05*) '{COMMAND}' "$@"; code=$?; rm "$out"/subjects/c05.*; exit $code;; esac"""
 
 
@@ -153,6 +154,16 @@ class Local(InFolder):
         self.assertEqual(len(result.names), COUNT - 1)
         with self.assertRaisesRegex(orbicube.NoValidResult, "mapping the first subject: killed: the command was killed by SIGKILL"):
             study.run(self.list, self.path("none"), command=self.wrapped('case "$*" in *--stage=first*) kill -9 $$;; esac'), **OPTIONS)
+
+    def test_machines_that_round_otherwise_are_refused(self):
+        with self.assertRaisesRegex(RuntimeError, "command: elementary functions round otherwise on the machine of 'first' .digest 12ab"):
+            self.run_study(command=self.wrapped("""case "$*" in *--stage=first*) echo '{"exit_code": 0, "rounding": "12ab"}' > "${3#--report=}"; exit;; esac"""))
+        try:
+            self.assert_whole(self.run_study(command=self.wrapped(ELSEWHERE)))  # where glibc has no other functions
+        except RuntimeError as error:
+            self.assertRegex(str(error), "elementary functions round otherwise on the machine of 'c05' ")
+        shutil.rmtree(self.path("out"))
+        self.assert_whole(self.run_study())
 
     def test_a_folder_that_is_not_shared_is_found(self):
         waits, study.ARRIVAL = study.ARRIVAL, (0,)
