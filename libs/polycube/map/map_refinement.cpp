@@ -245,26 +245,6 @@ class MapRefinement {
     return true;
   }
 
-  // Near the vertex that stayed, towards the middle of a side of the star: there always is room but for rounding.
-  bool place_beside(const Collapse& c, const std::array<bool, 3>& free) {
-    constexpr int halvings = 45;
-    const Vector3 origin = polycube_[c.kept];
-    double part = 0.5;
-    for (int i = 0; i < halvings; ++i, part *= 0.5) {
-      for (const StarTriangle& t : star_) {
-        const Vector2 way = part * (0.5 * (t.x + t.y) - t.in_plane(origin));
-        Vector3 place = origin;
-        for (std::size_t k = 0; k < 2; ++k) {
-          if (free[static_cast<std::size_t>(t.axes[k])]) place[t.axes[k]] += way[static_cast<Eigen::Index>(k)];
-        }
-        if (!positive(place)) continue;
-        polycube_[c.removed] = place;
-        return true;
-      }
-    }
-    return false;
-  }
-
   const Surface& surface_;
   std::span<const AxisLabel> labels_;
   Decimation& decimation_;

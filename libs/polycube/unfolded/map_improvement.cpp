@@ -15,9 +15,16 @@ namespace {
 
 // Each takes time in proportion to the 1.5th power of the triangles, as the factors of its systems do.
 int max_steps(std::size_t triangles) {
-  constexpr double work = 2e9, least = 30, most = 500;
+  constexpr double work = 6e8, least = 12, most = 500;
   const auto n = static_cast<double>(std::max<std::size_t>(triangles, 1));
   return static_cast<int>(std::clamp(work / (n * std::sqrt(n)), least, most));
+}
+
+// What a round has to gain, of the distortion above an isometry, to be followed by another: more where rounds take
+// long. On 70,000 triangles the rounds below 2.3 % took a third of the time and gained 0.2 % of the distortion
+// together.
+double min_gain(std::size_t triangles) {
+  return 0.005 * std::max(1.0, static_cast<double>(triangles) / 15'000);
 }
 
 // 2 for an isometry.
@@ -35,7 +42,7 @@ void hold(std::span<const Vector3> places, UnfoldedMap& map) {
 
 Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
                        const base::Host& host) {
-  constexpr double little = 0.005;  // of what there is above an isometry
+  const double little = min_gain(map.triangles.size());
   int steps = options.newton_steps > 0 ? options.newton_steps : max_steps(map.triangles.size());
   const auto score = [&](const Distortion& d) { return score_of(d, options.domain); };
   Distortion now = measure_distortion(map, host);
