@@ -63,6 +63,23 @@ struct Box {
   }
 };
 
+// Around the z axis, with radii 1 and `thickness`, and z times `flattening`.
+Surface ring(double thickness, double flattening) {
+  Surface result;
+  constexpr Index around = 64, across = 8;
+  for (Index i = 0; i < around; ++i) {
+    for (Index k = 0; k < across; ++k) {
+      const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * k / across;
+      const double r = 1 + thickness * std::cos(b);
+      result.positions.emplace_back(r * std::cos(a), r * std::sin(a), flattening * thickness * std::sin(b));
+      const Index j = (i + 1) % around, l = (k + 1) % across;
+      result.triangles.push_back({i * across + k, j * across + k, j * across + l});
+      result.triangles.push_back({i * across + k, j * across + l, i * across + l});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("The Hausdorff distance is found inside of triangles") {
@@ -132,20 +149,9 @@ TEST_CASE("Straight rods and plates are filled in a space where they are thick, 
     const WorkingSpace again = space_of(within);
     CHECK(again.same());
   }
-  // A thin ring fills little of its box: stretching would make a ribbon of it.
-  Surface ring;
-  constexpr Index around = 64, across = 8;
-  for (Index i = 0; i < around; ++i) {
-    for (Index k = 0; k < across; ++k) {
-      const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * k / across;
-      const double r = 1 + 0.01 * std::cos(b);
-      ring.positions.emplace_back(r * std::cos(a), r * std::sin(a), 0.01 * std::sin(b));
-      const Index j = (i + 1) % around, l = (k + 1) % across;
-      ring.triangles.push_back({i * across + k, j * across + k, j * across + l});
-      ring.triangles.push_back({i * across + k, j * across + l, i * across + l});
-    }
-  }
-  CHECK(space_of(ring).same());
+  // A thin ring fills little of its box: stretching would make a ribbon of it. A wide flat one is stretched.
+  CHECK(space_of(ring(0.01, 1)).same());
+  CHECK_FALSE(space_of(ring(0.15, 0.01)).same());
 }
 
 TEST_CASE("Coordinates far from 1 are divided by a power of two") {

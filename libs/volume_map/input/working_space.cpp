@@ -16,7 +16,8 @@ constexpr int max_exponent = 100;
 // A side of the solid's own box longer than long_sides times the next one is shortened to `kept` times that. From there
 // on fewer than three cells are across for ten thousand in all.
 constexpr double long_sides = 16, kept = 8;
-// Of its own box that the solid fills: less is bent, and not straightened by stretching.
+// Of its own box that the solid fills: what fills more is not bent. What fills less may be, and is not straightened by
+// stretching: see has_room().
 constexpr double straight = 0.3;
 
 // `at` has the position of each vertex.
@@ -28,6 +29,16 @@ double volume_of(const At& at, std::span<const mesh::Triangle> triangles, const 
     volume += a.dot(b.cross(c)) / 6;
   }
   return std::abs(volume);
+}
+
+// The area that the surface has across an axis, without its sign, over 2: lines along the axis are in the solid for its
+// volume over that, on average, each time they enter it.
+template <class At>
+double area_across(const At& at, std::span<const mesh::Triangle> triangles, const Vector3& axis) {
+  double area = 0;
+  for (const mesh::Triangle& t : triangles)
+    area += std::abs((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(axis)) / 4;
+  return area;
 }
 
 // Directions of the second moments of the surface by area, in columns, the longest last.
@@ -88,11 +99,18 @@ WorkingSpace::WorkingSpace(std::span<const Vector3> given, std::span<const mesh:
   std::array<Eigen::Index, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return sides[a] < sides[b]; });
   const double thin = sides[order[0]], wide = sides[order[1]], length = sides[order[2]];
-  if (!(thin > 0) || volume_of(at, triangles, middle) < straight * sides.prod()) return;
-  if (length <= long_sides * wide && wide <= long_sides * thin) return;
+  if (!(thin > 0) || (length <= long_sides * wide && wide <= long_sides * thin)) return;
+  const bool full = volume_of(at, triangles, middle) >= straight * sides.prod();
+  const auto across = [&](std::size_t i) { return area_across(at, triangles, axes.col(order[i])); };
+  // A flat or a long creature or frame is after that at most as thick along the shorter axis as along the longer one,
+  // on average; a ring or a coil would become a ribbon.
+  const auto has_room = [&](std::size_t shorter, double by) {
+    return full || across(shorter) >= by * across(shorter + 1);
+  };
   Vector3 factor = Vector3::Ones();
-  if (wide > long_sides * thin) factor[order[0]] = wide / (kept * thin);
-  if (length > long_sides * wide) factor[order[2]] = kept * wide / length;
+  if (wide > long_sides * thin && has_room(0, wide / (kept * thin))) factor[order[0]] = wide / (kept * thin);
+  if (length > long_sides * wide && has_room(1, length / (kept * wide))) factor[order[2]] = kept * wide / length;
+  if (factor == Vector3::Ones()) return;
   stretched_ = true;
   center_ = middle;
   to_ = factor.asDiagonal() * axes.transpose();
