@@ -226,7 +226,7 @@ void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; the mesh is kept");
   }
   if (asked > 0 && std::max(result.distance, result.volume_error) > asked)
-    session.say("  that is more than --distance " + number(asked) + ", with any number of cells up to --max-cells");
+    session.say("  that is more than --distance " + number(asked) + "; more --cells may bring it closer");
 }
 
 }  // namespace orbicube::cli

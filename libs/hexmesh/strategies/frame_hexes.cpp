@@ -18,6 +18,7 @@
 #include "frame_field/singularities/meshability.h"
 #include "hexmesh/grid/grid_extraction.h"
 #include "hexmesh/strategies/hex_pieces.h"
+#include "hexmesh/strategies/refinement.h"
 #include "volume_map/solid/freeing_splits.h"
 
 namespace orbicube::hexmesh {
@@ -174,9 +175,9 @@ Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::siz
   return grid;
 }
 
-// Hexahedra of the grid as it is, and fixed to the surface where that is not near enough.
-void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, const FrameHexOptions& options,
-                 const base::Host& host) {
+// Hexahedra of the grid as it is, and fixed to the surface where that is not near enough. Returns their excess().
+double take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, const FrameHexOptions& options,
+                   const base::Host& host) {
   const polycube::SurfaceMap map = surface_of(grid.map, host);
   const PolycubeSurface surface = {map, options.fine_positions, options.fine_triangles};
   const TargetSurface target(surface);
@@ -200,11 +201,13 @@ void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, co
     }
   }
   if (!made) throw base::Error("no-valid-result", reason);
-  if (best && !better(*made, best->result, options.distance)) return;
+  const double far = excess(*made, options.distance);
+  if (best && !better(*made, best->result, options.distance)) return far;
   best.emplace(host.memory);
   best->inner_irregular_edges = irregular_edges(made->mesh, host);
   best->result = std::move(*made);
   best->map = std::move(grid.map);
+  return far;
 }
 
 }  // namespace
@@ -270,15 +273,18 @@ FrameHexes make_hexahedra_by_frames(const volume_map::FramedSolid& solid, const 
   for (const Tetrahedron& t : solid.tetrahedra)
     volume += untangle::six_volumes(solid.positions, t) / 6;
   std::optional<FrameHexes> best;
-  for (std::size_t cells = options.cells;; cells *= 2) {
+  for (Refinement refinement(options.cells, options.max_cells);;) {
+    const std::size_t cells = refinement.cells();
+    double far = 0;
     const base::Stage stage(host, 0.5);
     try {
-      take_better(best, grid_of_cells(solid, volume, cells, options.map_attempts, host), volume, options, host);
+      far = take_better(best, grid_of_cells(solid, volume, cells, options.map_attempts, host), volume, options, host);
     } catch (const base::Error& error) {
       // More cells are there for the distance alone.
       if (!best || !is_refusal(error)) throw;
     }
-    if (excess(best->result, options.distance) <= 1 || 2 * cells > options.max_cells) break;
+    const double least = excess(best->result, options.distance);
+    if (least <= 1 || !refinement.next(far, least)) break;
   }
   const polycube::SurfaceMap map = surface_of(best->map, host);
   complete(best->result, {map, options.fine_positions, options.fine_triangles}, host);

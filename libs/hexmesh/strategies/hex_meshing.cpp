@@ -7,103 +7,13 @@
 
 #include "base/error.h"
 #include "hexmesh/grid/even_lengths.h"
-#include "hexmesh/grid/hex_grid.h"
-#include "hexmesh/grid/padding.h"
 #include "hexmesh/grid/sharp_map.h"
 #include "hexmesh/grid/voxel_hexes.h"
-#include "polycube/outputs/patch_graph.h"
-#include "polycube/surface/distortion.h"
+#include "hexmesh/strategies/polycube_grids.h"
+#include "hexmesh/strategies/refinement.h"
 
 namespace orbicube::hexmesh {
 namespace {
-
-// The patches of the polycube that get a layer, and which part of its boundary they are.
-struct PaddedFaces {
-  Array<std::uint8_t> faces;
-  double part = 0;
-
-  PaddedFaces(const HexMesh& mesh, Array<std::uint8_t> chosen) : faces(std::move(chosen)) {
-    double count = 0;
-    for (const Index patch : mesh.quad_patches)
-      count += faces[patch];
-    part = count / static_cast<double>(mesh.quads.size());
-  }
-};
-
-// A map that hexahedra may follow, and what all meshes along it have in common.
-struct Guide {
-  PolycubeSurface surface;
-  bool sharp;  // edges were brought to those of the polycube
-  polycube::PatchGraph graph;
-
-  Guide(const PolycubeSurface& of, bool is_sharp, const base::Host& host)
-      : surface(of), sharp(is_sharp), graph(polycube::make_patch_graph(of.map, host)) {}
-};
-
-// Whether protrusions have no room on the polycube: what changes angles twofold on average has no hexahedra there.
-bool has_lost_limbs(const polycube::SurfaceMap& map, const base::Host& host) {
-  constexpr double most = 2;
-  return polycube::measure_distortion(map, host).angle_mean > most;
-}
-
-// One of the strategies to mesh the solid.
-struct Strategy {
-  const Guide* guide;
-  int padding;  // the first or the second choice
-  PaddedFaces padded;
-
-  bool same(const Guide* other, int other_padding) const { return guide == other && padding == other_padding; }
-};
-
-// What may be padded, the most promising first.
-void add_strategies(Array<Strategy>& strategies, const Guide& guide, const HexOptions& options, std::size_t cells,
-                    int across, const base::Host& host) {
-  const polycube::SurfaceMap& map = guide.surface.map;
-  const HexMesh mesh = sample_hexahedra(domain_of_cells(guide.graph, cells, 0, host, across), map, host);
-  const std::size_t count = 1 + *std::max_element(map.patches.begin(), map.patches.end());
-  int choices = 0;
-  const auto add = [&](Array<std::uint8_t> faces) {
-    strategies.push_back({&guide, choices++, PaddedFaces(mesh, std::move(faces))});
-  };
-  const auto add_all = [&](std::uint8_t value) { add(Array<std::uint8_t>(count, value, host.memory)); };
-  if (options.padding == Padding::with) add_all(1);
-  if (options.padding == Padding::without) add_all(0);
-  if (options.padding != Padding::automatic) return;
-  add(choose_padding(mesh, host));
-  // Where what was chosen turns out bad: none, or all.
-  add_all(strategies.back().padded.part > 0 ? 0 : 1);
-}
-
-// The grid of one of the strategies, with its layers, in units of a cell.
-struct Grid {
-  HexMesh mesh;
-  std::size_t padding = 0;  // number of the last hexahedra
-  double scale = 1;
-
-  Grid(const Strategy& strategy, std::size_t cells, int across, const base::Host& host)
-      : mesh(sample_hexahedra(domain_of_cells(strategy.guide->graph, cells, strategy.padded.part, host, across),
-                              strategy.guide->surface.map, host)) {
-    const polycube::SurfaceMap& map = strategy.guide->surface.map;
-    const std::size_t inner = mesh.hexahedra.size();
-    double volume = 0;
-    Vector3 low = map.positions[map.triangles[0][0]], high = low;
-    for (const mesh::Triangle& t : map.triangles) {
-      for (const Index v : t) {
-        low = low.cwiseMin(map.positions[v]);
-        high = high.cwiseMax(map.positions[v]);
-      }
-    }
-    const Vector3 origin = near_origin(low, high);
-    const auto at = [&](Index v) { return Vector3(map.positions[v] - origin); };
-    for (const mesh::Triangle& t : map.triangles)
-      volume += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6;
-    scale = std::cbrt(static_cast<double>(inner) / std::abs(volume));
-    for (Vector3& p : mesh.positions)
-      p *= scale;
-    pad(mesh, strategy.padded.faces, 1, host);
-    padding = mesh.hexahedra.size() - inner;
-  }
-};
 
 // The best of the meshes that are made.
 class Mesher {
@@ -131,11 +41,27 @@ class Mesher {
 
  private:
   bool near() const { return best_ && excess(*best_, options_.distance) <= 1; }
+  double excess_of_best() const { return best_ ? excess(*best_, options_.distance) : 0; }
   // Hardly valid.
   bool poor() const {
     constexpr double least = 0.3;
     return best_->quality.min_scaled_jacobian <= least;
   }
+
+  bool refine(Refinement& refinement) const { return !spent_ && refinement.next(excess_, excess_of_best()); }
+
+  // Whether one more mesh of this number of cells is affordable.
+  bool afford(std::size_t cells) {
+    spent_ = spent_ || (drafted_ > 0 && drafted_ + cells > affordable());
+    return !spent_;
+  }
+  // Hexahedra of all meshes together.
+  std::size_t affordable() const {
+    constexpr std::size_t most = 40;       // of the option `cells`: some ten meshes of that number, and a few of more
+    constexpr std::size_t cheap = 40'000;  // take about half a minute
+    return std::max(most * options_.cells, cheap);
+  }
+  bool half_spent() const { return 2 * drafted_ > affordable(); }
 
   void make_guides() {
     const base::Stage stage(host_, 0.05);
@@ -154,45 +80,67 @@ class Mesher {
 
   void fill_polycube() {
     make_guides();
-    for (std::size_t cells = options_.cells;; cells *= 2) {
+    for (Refinement refinement(options_.cells, options_.max_cells);;) {
+      const std::size_t cells = refinement.cells();
       const base::Stage stage(host_, half_of_the_rest);
+      excess_ = 0;
       make(cells);
       if (too_few_across()) make(cells);
-      if (options_.distance == 0 || 2 * cells > options_.max_cells) return;
       // What is near but poor is tried with twice as many cells, once.
-      if (near() && (cells > options_.cells || !poor())) return;
+      if (options_.distance == 0 || (near() && (cells > options_.cells || !poor()))) return;
+      if (!refine(refinement)) return;
     }
   }
 
   void fill_space() {
-    for (std::size_t cells = options_.cells;; cells *= 2) {
+    for (Refinement refinement(options_.cells, options_.max_cells);;) {
       const base::Stage stage(host_, half_of_the_rest);
-      if (make_by_voxels(cells) || options_.distance == 0 || 2 * cells > options_.max_cells) return;
+      excess_ = 0;
+      if (make_by_voxels(refinement.cells()) || options_.distance == 0 || !refine(refinement)) return;
     }
   }
 
-  // The polycube first; a grid, which has a layer around, where that is not near or poor. More cells of the polycube
-  // only where the first were not too far.
+  // The polycube first; a grid, which has a layer around, where that is not near or poor. With more cells what was
+  // nearer, while more cells help.
   void fill_either() {
-    constexpr double hopeless = 1.5;
     const bool is_map = !solid_.map.triangles.empty(), grid_may = options_.padding != Padding::without;
     base::require(is_map || grid_may, "there is no polycube, and the cells of a grid in space have a layer around");
     if (!grid_may) return fill_polycube();
     const bool late = is_map && has_lost_limbs(solid_.map, host_);
     if (is_map && !late) make_guides();
-    for (std::size_t cells = options_.cells;; cells *= 2) {
+    double by_polycube = 0, by_grid = 0;  // excess of the last; 0: there is none, or none that is promising
+    Refinement refinement(options_.cells, options_.max_cells);
+    do {
+      const std::size_t cells = refinement.cells();
       const base::Stage stage(host_, half_of_the_rest);
-      const bool first = cells == options_.cells, second = cells == 2 * options_.cells;
-      if (first || across_ > 1 || no_grid_ || (second && best_ && excess(*best_, options_.distance) <= hopeless))
+      const bool first = cells == options_.cells;
+      if (first || across_ > 1 || no_grid_ || worth_refining(by_polycube, by_grid, cells)) {
+        excess_ = 0;
         make(cells);
-      if (too_few_across()) make(cells);
+        if (too_few_across()) make(cells);
+        if (by_polycube > 0 && excess_ > std::pow(by_polycube / excess_, patience)) excess_ = 0, refinement.forget();
+        by_polycube = excess_;
+      }
       if (near() && !poor()) return;
-      make_by_voxels(cells);
-      if (no_grid_ && too_few_across()) make(cells);
+      const bool grid_may_be_near = may_be_near({last_grid_.first, by_grid}, cells);
+      if (first || by_polycube == 0 || (near() ? grid_may_be_near : by_polycube > clearly * by_grid)) {
+        excess_ = 0;
+        make_by_voxels(cells);
+        by_grid = excess_;
+        if (no_grid_ && too_few_across()) make(cells);
+      }
       if (near() && (!first || !poor())) return;
-      if (options_.distance == 0 || 2 * cells > options_.max_cells) break;
-    }
+      excess_ = by_polycube == 0 || by_grid == 0 ? by_polycube + by_grid : std::min(by_polycube, by_grid);
+    } while (options_.distance > 0 && refine(refinement));
     if (late && !best_) fill_polycube();
+  }
+
+  // More cells of the polycube, where there are others of a grid: by its meshes and those of grids so far.
+  bool worth_refining(double by_polycube, double by_grid, std::size_t cells) const {
+    constexpr double hopeless = 1.5;
+    if (by_polycube == 0) return false;
+    return by_grid == 0 || by_polycube <= hardly * by_grid ||
+           (cells == 2 * options_.cells && excess_of_best() <= hopeless);
   }
 
   // Near, but with another volume: protrusions are thin, and equal cells are so few across that their boundary cuts
@@ -213,6 +161,10 @@ class Mesher {
     reason_ = error.what();
   }
 
+  // Of excess(): a strategy that is nearer by this factor is the only one, one that is hardly farther is one of two.
+  static constexpr double clearly = 0.5, hardly = 1.5;
+  // Of steps as the last one, with more cells: a strategy that would require more to be near is given up for others.
+  static constexpr double patience = 3;
   static constexpr double good = 0.4;
   // How many attempts there will be is not known: each is a part of what is left of the progress.
   static constexpr double half_of_the_rest = 0.5, third_of_the_rest = 1.0 / 3.0;
@@ -229,11 +181,14 @@ class Mesher {
     bool near = false, by_itself = false;
   };
   Nearness attempt(const Strategy& strategy, std::size_t cells, const HexManner& manner) {
+    if (spent_) return {};
     const base::Stage stage(host_, third_of_the_rest);
     try {
-      Grid grid(strategy, cells, across_, host_);
+      PolycubeGrid grid(strategy, cells, across_, host_);
+      if (!afford(grid.mesh.hexahedra.size())) return {};
       HexResult now = finish_apart(
           [&] {
+            drafted_ += grid.mesh.hexahedra.size();
             return HexDraft(copy_of(grid.mesh), grid.padding, grid.scale, strategy.guide->surface, target_,
                             {.distance = options_.distance, .rounds = options_.rounds}, host_);
           },
@@ -254,7 +209,9 @@ class Mesher {
       return {};
     }
     least_ = std::max(least_, now.quality.min_scaled_jacobian);
-    const bool near = excess(now, options_.distance) <= 1, by_itself = near && !now.hardly_near;
+    const double excess_of_now = excess(now, options_.distance);
+    excess_ = excess_ == 0 ? excess_of_now : std::min(excess_, excess_of_now);
+    const bool near = excess_of_now <= 1, by_itself = near && !now.hardly_near;
     if (near) min_near_ = std::max(min_near_, now.quality.min_scaled_jacobian);
     if (!best_ || better(now, *best_, options_.distance)) {
       best_ = std::move(now);
@@ -285,17 +242,21 @@ class Mesher {
       no_grid_ = false;
       // As many as before where that is as few as there can be.
       const std::pair made = {grid.mesh.hexahedra.size(), grid.scale};
-      if (std::exchange(last_grid_, made) == made) return false;
+      if (made.first < last_grid_.first || std::exchange(last_grid_, made) == made) return false;
       for (const bool hold : {false, true}) {
         if (hold && options_.distance == 0) return false;
+        if (!hold && !may_be_near(free_, made.first)) continue;
+        if (!afford(made.first)) return false;
         const base::Stage stage(host_, half_of_the_rest);
         HexResult now = finish_apart(
             [&] {
+              drafted_ += made.first;
               return HexDraft(copy_of(grid.mesh), grid.padding, grid.scale, {whole_}, target_,
                               {.distance = options_.distance, .rounds = options_.rounds}, host_);
             },
             {.hold = hold});
         now.grid_based = true;
+        if (!hold && now.quality.valid()) free_ = {made.first, excess(now, options_.distance)};
         if (take(std::move(now), nullptr).near) return true;
       }
     } catch (const base::Error& error) {
@@ -336,7 +297,7 @@ class Mesher {
       bool near = now.near;
       if (!now.by_itself && distance_counts) near |= attempt(strategy, cells, manner = {.hold = true}).near;
       manner.insist = true;
-      if (near && !done(cells)) attempt(strategy, cells, manner);
+      if (near && !done(cells) && !half_spent()) attempt(strategy, cells, manner);
     }
     // Vertices on the surface itself are less accurate and leave more room.
     for (const Strategy& strategy : strategies_) {
@@ -354,7 +315,9 @@ class Mesher {
   Array<Guide> guides_;
   Array<Strategy> strategies_;
   std::optional<HexResult> best_;
-  const Guide* best_guide_ = nullptr;  // of the polycube's, the best when it was made
+  std::pair<std::size_t, double> free_ = {0,
+                                          0};  // of the last grid whose boundary was free: its hexahedra and excess()
+  const Guide* best_guide_ = nullptr;          // of the polycube's, the best when it was made
   int best_padding_ = 0;
   bool no_grid_ = false;                               // of cells in space, the last time
   std::pair<std::size_t, double> last_grid_ = {0, 0};  // its hexahedra and its scale
@@ -362,6 +325,9 @@ class Mesher {
   std::string reason_, meets_;  // why there is none: the last, and of what had positive hexahedra
   // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
   double least_ = 0, min_near_ = 0;
+  double excess_ = 0;        // of the nearest among those that refinements go by; 0: there is none
+  std::size_t drafted_ = 0;  // hexahedra of all meshes
+  bool spent_ = false;       // no more are affordable
 };
 
 }  // namespace
