@@ -22,7 +22,7 @@ namespace orbicube::cli {
 namespace {
 
 // Written into the hash of each subject: raise it when results of the same input change.
-constexpr const char* version_of_results = "2";
+constexpr const char* version_of_results = "3";
 
 std::string key_of(const correspondence::SubjectOptions& options) {
   return std::string(version_of_results) + " " + std::to_string(static_cast<int>(options.grid)) + ":" +

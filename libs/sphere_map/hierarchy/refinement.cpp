@@ -34,6 +34,9 @@ constexpr RelaxationLimits small_limits = {.passes = 20, .relative_gain = 1e-4, 
 constexpr RelaxationLimits sweep_limits = {.passes = 3, .relative_gain = 1e-3, .movement = 3e-3};
 constexpr RelaxationLimits last_sweep_limits = {.passes = 12, .relative_gain = 1e-5, .movement = 1e-2};
 constexpr RelaxationLimits outlier_limits = {.passes = 5000, .relative_gain = 1e-8, .movement = 1e-3};
+// Levels with more of all vertices are left to the last stages, which would solve them again.
+constexpr double newton_share = 0.6;
+constexpr RelaxationLimits smoothing_limits = {.passes = 1, .relative_gain = 1e-3, .movement = 1e-3};
 constexpr NewtonLimits newton_limits = {.steps = 40, .solver_steps = 1000, .relative_gain = 1e-6};
 
 // Between levels, this number of splits is prepared one by one and carried out side by side.
@@ -112,14 +115,16 @@ class Refiner {
       const auto outliers = sweep(energy_, level_, place_, limits, directions_, scratch_, host_, pool_);
       relax(energy_, level_, place_, outliers, outlier_limits, directions_, queue_, scratch_[0], host_, pool_);
     }
+    const auto smooth = [&] { sweep(energy_, level_, place_, smoothing_limits, directions_, scratch_, host_, pool_); };
     if (count == total) {
       release_hierarchy();
       for (const Stage& stage : schedule_.stages()) {
         energy_.weights = stage.weights;
-        newton(energy_, level_, stage.limits, place_, directions_, host_, pool_);
+        newton(energy_, level_, stage.limits, place_, directions_, smooth, host_, pool_);
       }
-    } else if (count >= newton_from && count <= newton_to) {
-      newton(energy_, level_, newton_limits, place_, directions_, host_, pool_);
+    } else if (count >= newton_from && count <= newton_to &&
+               static_cast<double>(count) < newton_share * static_cast<double>(total)) {
+      newton(energy_, level_, newton_limits, place_, directions_, smooth, host_, pool_);
     }
   }
 

@@ -44,7 +44,7 @@ Schedule schedule_of(const Options& options) {
   switch (options.method) {
     case Method::balanced:
       schedule.add({angle_and_area(options, {.isometric = 0.02, .quasi_conformal_1 = 0.3, .quasi_conformal_4 = 2e-3}),
-                    {.steps = 12, .solver_steps = 400, .relative_gain = 1e-5}});
+                    {.steps = 30, .solver_steps = 400, .relative_gain = 1e-5}});
       return schedule;
     case Method::angle_area:
       // Without a barrier the hierarchy would let protrusions collapse, and what has collapsed does not come back. On

@@ -5,8 +5,10 @@
 #include <atomic>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/backtracking.h"
+#include "sphere_map/optimization/coarse_space.h"
 #include "sphere_map/optimization/star_matrix.h"
 #include "sphere_map/optimization/triangle_model.h"
 
@@ -30,15 +32,18 @@ constexpr std::size_t triangles_a_batch = 2048;
 constexpr std::size_t triangles_a_piece = 256;
 
 // Residual of the systems, as a part of the gradient. Smaller: fewer steps, each of more conjugate gradients.
-constexpr double tolerance = 0.03;
-// Parts of the diagonal blocks that are added to the Hessian (Levenberg 1944) while steps of it alone are too long:
-// near the rotations of long protrusions it is nearly singular or indefinite, and such steps are many radians long.
-// Between them a few factors of ten decide; smaller changes cost more solutions.
-constexpr double min_damping = 1e-4, max_damping = 100;
-constexpr double damping_after_failure = 10, damping_change = 8;
-// Length of the accepted part of a step below which damping grows, and below which a small gain does not end the run.
-constexpr double short_step = 0.2;
-constexpr int max_halvings = 8;
+constexpr double tolerance = 0.1;
+// Radius of the first trust region, in units of the preconditioned gradient: longer steps fail, from shorter ones it
+// grows by region_growth a step.
+constexpr double first_radius = 10, region_growth = 3;
+// Gains over those of the model: above the first the region grows, below the second it shrinks, and below the third
+// single vertices are moved in between, after which the model holds farther.
+constexpr double good_gain = 0.75, poor_gain = 0.25, smooth_below = 0.9;
+constexpr double region_growth_of_smoothing = 2;
+// Where no part of a step lowers the energy, the region shrinks below the shortest trial, up to this often.
+constexpr int max_failures = 6, max_halvings = 8;
+// A step with its smoothing that gains less than this part of the relative gain ends the run.
+constexpr double min_gain = 0.1;
 
 class Newton {
  public:
@@ -53,41 +58,58 @@ class Newton {
         trial_(level.vertices.size(), host.memory),
         triangles_(host.memory),
         matrix_(level, place, host),
+        space_(matrix_, host, pool),
         solver_(level.vertices.size(), host, pool),
         downhill_(level.vertices.size(), host.memory),
         step_(level.vertices.size(), host.memory),
         models_{Array<TriangleModel>(host.memory), Array<TriangleModel>(host.memory)},
         partial_(host.memory) {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      points_[i] = directions[level.vertices[i]];
+    take_directions();
     build(place);
   }
 
-  double run(const NewtonLimits& limits) {
-    double value = assemble();
-    double damping = 0;
-    for (int step = 0; step < limits.steps;) {
-      solver_.solve(matrix_, damping, downhill_, tolerance, limits.solver_steps, step_);
+  double run(const NewtonLimits& limits, const std::function<void()>& smooth) {
+    double value = assemble(), radius = -first_radius;
+    space_.set(matrix_, points_);
+    for (int step = 0, failures = 0; step < limits.steps && failures <= max_failures;) {
+      const RegionStep model = solver_.solve(matrix_, space_, radius, downhill_, tolerance, limits.solver_steps, step_);
       const auto taken = search(value);
       if (taken && !(taken->value < value)) break;
       if (!taken) {
-        if (damping > max_damping) break;
-        damping = std::max(min_damping, damping_after_failure * damping);
+        radius = model.length / (1 << max_halvings);
+        ++failures;
         continue;
       }
-      const bool done = value - taken->value < limits.relative_gain * value && taken->length >= short_step;
-      value = taken->value;
-      if (++step == limits.steps || done) break;
-      if (taken->length < short_step) damping = std::max(min_damping, damping_change * damping);
-      if (taken->length == 1) damping = damping > min_damping / 100 ? damping / damping_change : 0;
-      assemble();
+      const double before = std::exchange(value, taken->value), gain = before - value;
+      const bool whole = taken->length == 1;
+      if (++step == limits.steps || (whole && !model.limited && gain < limits.relative_gain * before)) break;
+      radius = model.length * taken->length;
+      if (whole && gain > good_gain * model.gain) radius *= region_growth;
+      if (whole && gain < poor_gain * model.gain) radius /= 2;
+      if (gain < smooth_below * model.gain) {
+        put_directions();
+        smooth();
+        take_directions();
+        radius *= region_growth_of_smoothing;
+      }
+      value = assemble();
+      if (before - value < min_gain * limits.relative_gain * before) break;
+      space_.set(matrix_, points_);
     }
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      directions_[level_.vertices[i]] = points_[i];
+    put_directions();
     return value;
   }
 
  private:
+  void take_directions() {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      points_[i] = directions_[level_.vertices[i]];
+  }
+  void put_directions() {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      directions_[level_.vertices[i]] = points_[i];
+  }
+
   // The triangles in the order of their lowest corners.
   void build(std::span<const Index> place) {
     const std::size_t count = level_.vertices.size();
@@ -225,6 +247,7 @@ class Newton {
   Array<Vector3> points_, trial_;
   Array<LevelTriangle> triangles_;
   StarMatrix matrix_;
+  CoarseSpace space_;
   ConjugateGradients solver_;
   Array<Vector2d> downhill_, step_;
   std::array<Array<TriangleModel>, 2> models_;
@@ -234,8 +257,9 @@ class Newton {
 }  // namespace
 
 double newton(const Energy& energy, const Level& level, const NewtonLimits& limits, std::span<const Index> place,
-              std::span<Vector3> directions, const base::Host& host, const base::ThreadPool& pool) {
-  return Newton(energy, level, place, directions, host, pool).run(limits);
+              std::span<Vector3> directions, const std::function<void()>& smooth, const base::Host& host,
+              const base::ThreadPool& pool) {
+  return Newton(energy, level, place, directions, host, pool).run(limits, smooth);
 }
 
 }  // namespace orbicube::sphere_map

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linear/iterative/conjugate_gradients.h"
+#include "sphere_map/optimization/coarse_space.h"
 
 namespace orbicube::sphere_map {
 
@@ -29,7 +30,6 @@ void StarMatrix::set_zero(const base::ThreadPool& pool) {
 ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool)
     : host_(host),
       pool_(pool),
-      positive_(size, host.memory),
       inverse_(size, host.memory),
       residual_(size, host.memory),
       preconditioned_(size, host.memory),
@@ -54,43 +54,78 @@ double ConjugateGradients::sum(const Term& term) {
 struct ConjugateGradients::System {
   ConjugateGradients& own;
   const StarMatrix& matrix;
-  double damping;
+  CoarseSpace& space;
+  double radius;
   std::span<const Vector2d> right_side;
   std::span<Vector2d> x;
   int step, max_steps;
+  // Of the residual r, the direction d and the preconditioner M^-1: r . M^-1 r, x . M x, x . M d, d . M d.
+  double square = 0, x_square = 0, x_along = 0, along_square = 0;
+  double curvature = 0, gain = 0;
+  bool limited = false;
+
+  double residual_square(const base::Array<Vector2d>& preconditioned) {
+    return own.sum([&](std::size_t i) { return own.residual_[i].dot(preconditioned[i]); });
+  }
 
   double start() {
-    return own.sum([&](std::size_t i) {
-      const Eigen::Matrix2d& d = matrix.diagonal[i];
-      // The eigenvalues are made positive, as the step of a single vertex is.
-      const double mean = 0.5 * d.trace();
-      const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
-      const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
-      const double shift = std::max(0.0, least - (mean - spread));
-      own.positive_[i] = d + shift * Eigen::Matrix2d::Identity();
-      own.inverse_[i] = own.positive_[i].inverse();
-      x[i].setZero();
-      own.residual_[i] = right_side[i];
-      own.along_[i] = own.inverse_[i] * own.residual_[i];
-      return own.residual_[i].dot(own.along_[i]);
+    own.pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        start(i);
     });
+    space.correct(own.residual_, own.along_);
+    along_square = square = residual_square(own.along_);
+    if (radius < 0) radius *= -std::sqrt(square);
+    return square;
+  }
+  void start(std::size_t i) {
+    const Eigen::Matrix2d& d = matrix.diagonal[i];
+    // Made positive, as the step of a single vertex is.
+    const double mean = 0.5 * d.trace();
+    const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
+    const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
+    const double shift = std::max(0.0, least - (mean - spread));
+    own.inverse_[i] = (d + shift * Eigen::Matrix2d::Identity()).inverse();
+    x[i].setZero();
+    own.residual_[i] = right_side[i];
+    own.along_[i] = own.inverse_[i] * own.residual_[i];
   }
   double multiply() {
-    return own.sum([&](std::size_t i) {
+    curvature = own.sum([&](std::size_t i) {
       own.product_[i] = matrix.row_times(i, own.along_);
-      if (damping > 0) own.product_[i] += damping * (own.positive_[i] * own.along_[i]);
       return own.along_[i].dot(own.product_[i]);
     });
+    limited = !(curvature > 0) || square_after(square / curvature) > radius * radius;
+    return limited ? 0 : curvature;
   }
+  double square_after(double alpha) const { return x_square + alpha * (2 * x_along + alpha * along_square); }
   double advance(double alpha) {
-    return own.sum([&](std::size_t i) {
-      x[i] += alpha * own.along_[i];
-      own.residual_[i] -= alpha * own.product_[i];
-      own.preconditioned_[i] = own.inverse_[i] * own.residual_[i];
-      return own.residual_[i].dot(own.preconditioned_[i]);
+    x_square = square_after(alpha);
+    x_along += alpha * along_square;
+    gain += 0.5 * alpha * square;
+    own.pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        x[i] += alpha * own.along_[i];
+        own.residual_[i] -= alpha * own.product_[i];
+        own.preconditioned_[i] = own.inverse_[i] * own.residual_[i];
+      }
     });
+    space.correct(own.residual_, own.preconditioned_);
+    return square = residual_square(own.preconditioned_);
+  }
+  // Goes on along the direction to the radius.
+  void go_to_radius() {
+    const double left = std::max(0.0, radius * radius - x_square);
+    const double alpha = left / (x_along + std::sqrt(x_along * x_along + along_square * left));
+    if (!(alpha > 0)) return;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += alpha * own.along_[i];
+    gain += alpha * (square - 0.5 * alpha * curvature);
+    x_square = radius * radius;
   }
   void turn(double beta) {
+    x_along *= beta;
+    along_square = square + beta * beta * along_square;
     own.pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         own.along_[i] = own.preconditioned_[i] + beta * own.along_[i];
@@ -99,11 +134,13 @@ struct ConjugateGradients::System {
   }
 };
 
-void ConjugateGradients::solve(const StarMatrix& matrix, double damping, std::span<const Vector2d> right_side,
-                               double tolerance, int max_steps, std::span<Vector2d> x) {
-  System system{*this, matrix, damping, right_side, x, 0, max_steps};
-  const auto outcome = linear::conjugate_gradients(system, max_steps, tolerance);
-  if (outcome.not_positive && outcome.steps == 0) std::copy(along_.begin(), along_.end(), x.begin());
+RegionStep ConjugateGradients::solve(const StarMatrix& matrix, CoarseSpace& space, double radius,
+                                     std::span<const Vector2d> right_side, double tolerance, int max_steps,
+                                     std::span<Vector2d> x) {
+  System system{*this, matrix, space, radius, right_side, x, 0, max_steps};
+  linear::conjugate_gradients(system, max_steps, tolerance);
+  if (system.limited) system.go_to_radius();
+  return {std::sqrt(system.x_square), system.gain, system.limited};
 }
 
 }  // namespace orbicube::sphere_map

@@ -29,6 +29,14 @@ class StarMatrix {
     return sum;
   }
 
+  // Neighbors of a vertex, and the blocks that join it to them.
+  std::span<const Index> columns(std::size_t i) const {
+    return {column_.data() + begin_[i], begin_[i + 1] - begin_[i]};
+  }
+  std::span<const Eigen::Matrix2d> row(std::size_t i) const {
+    return {off_diagonal.data() + begin_[i], begin_[i + 1] - begin_[i]};
+  }
+
   base::Array<Eigen::Matrix2d> diagonal;
   base::Array<Eigen::Matrix2d> off_diagonal;
 
@@ -37,15 +45,26 @@ class StarMatrix {
   base::Array<Index> column_;
 };
 
-// Solves (matrix + damping P) x = right_side by conjugate gradients, where P is the diagonal blocks with eigenvalues
-// made positive, which is also the preconditioner. Ends when the residual has fallen to `tolerance` of its start, after
-// max_steps, or at negative curvature with what was reached (Steihaug 1983).
+class CoarseSpace;
+
+// A step of a trust region, measured in the norm of the preconditioner.
+struct RegionStep {
+  double length;  // of the step
+  double gain;    // decrease of the quadratic model
+  bool limited;   // by the radius
+};
+
+// Minimizes 0.5 x . matrix x - right_side . x within a radius by conjugate gradients (Steihaug 1983): ends when the
+// residual has fallen to `tolerance` of its start, after max_steps, or where the path leaves the radius, which it
+// follows to there, also along negative curvature. The preconditioner is the diagonal blocks with eigenvalues made
+// positive, and the coarse space besides.
 class ConjugateGradients {
  public:
   ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool);
 
-  void solve(const StarMatrix& matrix, double damping, std::span<const Vector2d> right_side, double tolerance,
-             int max_steps, std::span<Vector2d> x);
+  // A negative radius is in units of the preconditioned right side.
+  RegionStep solve(const StarMatrix& matrix, CoarseSpace& space, double radius, std::span<const Vector2d> right_side,
+                   double tolerance, int max_steps, std::span<Vector2d> x);
 
  private:
   struct System;
@@ -55,7 +74,7 @@ class ConjugateGradients {
 
   const base::Host& host_;
   const base::ThreadPool& pool_;
-  base::Array<Eigen::Matrix2d> positive_, inverse_;  // P and its inverse
+  base::Array<Eigen::Matrix2d> inverse_;
   base::Array<Vector2d> residual_, preconditioned_, along_, product_;
   base::Array<double> partial_;  // sums of the pieces
 };
