@@ -116,8 +116,9 @@ bool DenseModel::minimise(std::span<const double> gradient, std::span<double> d,
   if (empty()) return false;
   std::copy(gradient.begin(), gradient.end(), d.begin());
   const std::size_t oldest = (next_ + capacity_ - count_) % capacity_;
-  run_two_loops({steps_.data(), changes_.data(), curvatures_.data(), n_, oldest, capacity_ - oldest, count_}, sigma_,
-                parts_.data(), d.data());
+  run_two_loops({steps_.data(), changes_.data(), curvatures_.data(), n_, oldest, capacity_ - oldest,
+                 static_cast<std::size_t>(count_)},
+                sigma_, parts_.data(), d.data());
   return all_finite(d);
 }
 

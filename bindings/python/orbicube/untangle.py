@@ -65,11 +65,10 @@ def _triangles_problem(positions: ArrayLike, triangles: ArrayLike, rest: Optiona
     call_init(raw.obc_untangle_triangles_problem_init, problem)
     problem.positions, problem.vertex_count = address(places), len(places)
     problem.triangles, problem.triangle_count = address(corners), len(corners)
-    if rest is not None:
-        rest = numbers(rest, "rest")
-        if rest.ndim == 2 and rest.shape[1] == 2:
-            rest = np.hstack([rest, np.zeros((len(rest), 1))])
-    return problem, places, [places, corners, *_set_constraints(problem, places, rest, fixed, ties)]
+    shapes = numbers(rest, "rest") if rest is not None else None
+    if shapes is not None and shapes.ndim == 2 and shapes.shape[1] == 2:
+        shapes = np.hstack([shapes, np.zeros((len(shapes), 1))])
+    return problem, places, [places, corners, *_set_constraints(problem, places, shapes, fixed, ties)]
 
 
 def _run(function: Any, problem: Any, kept: list[Any], chosen: Any, positions: Doubles, threads: int,
