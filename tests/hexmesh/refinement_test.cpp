@@ -26,7 +26,7 @@ TEST_CASE("The farther a mesh is from the surface, the more cells the next one h
 TEST_CASE("More cells follow while they help so much that the maximum may do") {
   Refinement by_length(1000, 100'000);
   double excess = 2;
-  for (const std::size_t cells : {2000, 4000, 8000}) {
+  for (const std::size_t cells : {2000U, 4000U, 8000U}) {
     REQUIRE(by_length.next(excess, excess));
     CHECK(by_length.cells() == cells);
     excess /= 1.25;
