@@ -18,7 +18,7 @@ constexpr double gain_of_few = 1e-6, gain_of_many = 1e-3;
 constexpr std::size_t many_unknowns = 24;
 // Corners are rounded by this part of what residuals may change by in the trust region, then by a tenth of it and so
 // on, until that is less than a part of the change of f that is predicted, or lost in rounding.
-constexpr double first_width = 0.1, fall_of_width = 0.1, precise = 1e-3, least_width = 1e-9;
+constexpr double first_width = 0.1, fall_of_width = 0.1, precise_corners = 1e-3, least_width = 1e-9;
 constexpr double tiniest_width = 1e-150;  // where the models are constant
 // Gain of the inner iteration for one of these widths.
 constexpr double gain_of_corners = 1e-3;
@@ -84,7 +84,7 @@ double Solver::sharpen_step(double* d) {
       std::copy_n(d, n, sharpest_.data());
     }
     corners.set_width(width);
-    if (corners.error(models_.outputs()) <= precise * -lowest || !(width > least)) break;
+    if (corners.error(models_.outputs()) <= precise_corners * -lowest || !(width > least)) break;
     corners.set_width(fall_of_width * width);
     double value = change_of(d);
     refine_step(d, &value);

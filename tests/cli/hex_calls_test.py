@@ -49,8 +49,8 @@ class HexCalls(InFolder):
     def test_a_machined_part_goes_along_frames(self):
         self.compare(self.made("bracket", 1500), 600, "frames")
 
-    def test_a_round_shape_goes_grid_based_where_its_polycube_is_far(self):
-        self.compare(self.made("torus", 1500), 600, "grid")
+    def test_a_round_shape_follows_its_polycube_with_more_cells(self):
+        self.compare(self.made("torus", 1500), 600, "polycube")
 
     def test_a_solid_of_tetrahedra(self):
         solid = self.path("solid.mesh")
