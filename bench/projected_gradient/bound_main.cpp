@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "bound_problems.h"
+#include "ours.h"
 #include "peers.h"
 
 using namespace orbicube::bench;
@@ -50,11 +51,7 @@ void print(const char* solver, const Counter& counter, double seconds) {
 }
 
 void run_ours(const BoundProblem& problem, std::size_t limit, std::uint32_t memory) {
-  obc_projected_gradient_problem c;
-  obc_projected_gradient_problem_init(&c, sizeof c);
-  c.n = problem.size();
-  c.lower = problem.lower.data();
-  c.upper = problem.upper.data();
+  const obc_projected_gradient_problem c = to_c(problem);
   obc_projected_gradient_options options;
   obc_projected_gradient_options_init(&options, sizeof options);
   options.max_evaluations = limit;

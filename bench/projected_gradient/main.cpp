@@ -14,6 +14,7 @@
 #include <limits>
 #include <random>
 
+#include "ours.h"
 #include "peers.h"
 
 using namespace orbicube::bench;
@@ -21,20 +22,6 @@ using namespace orbicube::bench;
 namespace {
 
 constexpr std::size_t evaluation_limit = 40000;
-
-obc_projected_gradient_problem to_c(const Problem& p) {
-  obc_projected_gradient_problem c;
-  obc_projected_gradient_problem_init(&c, sizeof c);
-  c.n = p.size();
-  c.m = p.rows();
-  c.lower = p.lower.data();
-  c.upper = p.upper.data();
-  c.row_start = p.row_start.data();
-  c.column = p.column.data();
-  c.value = p.value.data();
-  c.b = p.rhs.data();
-  return c;
-}
 
 struct Timed {
   const Problem& problem;

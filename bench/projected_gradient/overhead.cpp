@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "ours.h"
 #include "peers.h"
 
 using namespace orbicube::bench;
@@ -51,11 +52,7 @@ Problem make(std::size_t n, double upper) {
 }
 
 std::size_t run_ours(const Problem& problem) {
-  obc_projected_gradient_problem c;
-  obc_projected_gradient_problem_init(&c, sizeof c);
-  c.n = problem.size();
-  c.lower = problem.lower.data();
-  c.upper = problem.upper.data();
+  const obc_projected_gradient_problem c = to_c(problem);
   obc_projected_gradient_options options;
   obc_projected_gradient_options_init(&options, sizeof options);
   options.max_evaluations = evaluation_limit;

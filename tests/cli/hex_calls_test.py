@@ -52,6 +52,9 @@ class HexCalls(InFolder):
     def test_a_round_shape_follows_its_polycube_with_more_cells(self):
         self.compare(self.made("torus", 1500), 600, "polycube")
 
+    def test_a_shape_whose_polycube_is_far_goes_grid_based(self):
+        self.compare(self.made("vase", 1500), 600, "grid")
+
     def test_a_solid_of_tetrahedra(self):
         solid = self.path("solid.mesh")
         done = run("tetrahedralize", self.made("l-shape", 600), "-o", solid)

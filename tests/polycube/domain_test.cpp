@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "base/error.h"
@@ -256,4 +257,15 @@ TEST_CASE("An optimum stays as it is, and wrong options are refused") {
   CHECK_THROWS_AS(optimize_domain(map, {.measure = static_cast<DomainMeasure>(7)}, host), base::Error);
   SurfaceMap uncertified;
   CHECK_THROWS_AS(optimize_domain(uncertified, {}, host), base::Error);
+}
+
+TEST_CASE("Lengths at which a map has no energy stay as they are") {
+  const std::array start = {1.0, 2.0, 4.0};
+  const LengthEnergy none = [](std::span<const double>, std::span<double> gradient) {
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    return std::numeric_limits<double>::infinity();
+  };
+  const DomainMinimum found = minimise_domain(none, start, {}, host);
+  CHECK(std::equal(start.begin(), start.end(), found.lengths.begin(), found.lengths.end()));
+  CHECK_FALSE(found.converged);
 }

@@ -315,9 +315,9 @@ class Mesher {
   Array<Guide> guides_;
   Array<Strategy> strategies_;
   std::optional<HexResult> best_;
-  std::pair<std::size_t, double> free_ = {0,
-                                          0};  // of the last grid whose boundary was free: its hexahedra and excess()
-  const Guide* best_guide_ = nullptr;          // of the polycube's, the best when it was made
+  // Of the last grid whose boundary was free: its hexahedra and excess().
+  std::pair<std::size_t, double> free_ = {0, 0};
+  const Guide* best_guide_ = nullptr;  // of the polycube's, the best when it was made
   int best_padding_ = 0;
   bool no_grid_ = false;                               // of cells in space, the last time
   std::pair<std::size_t, double> last_grid_ = {0, 0};  // its hexahedra and its scale

@@ -134,8 +134,12 @@ DomainMinimum minimise_domain(const LengthEnergy& energy, std::span<const double
   }
   const projected_gradient::Result found = solver.result();
   if (found.stop == Stop::cancelled) throw base::Error("cancelled", "domain");
-  base::require(std::isfinite(found.value), "the energy at the start is not finite");
   result.evaluations = found.evaluations;
+  if (!std::isfinite(found.value)) {
+    // A triangle of a certified map may be flat but for rounding: the lengths stay.
+    result.lengths.assign(start.begin(), start.end());
+    return result;
+  }
   result.converged = found.stop == Stop::converged || found.stop == Stop::stalled;
   const std::span<const double> best = unknowns.lengths(solver.best_point());
   for (const double length : best)

@@ -39,8 +39,8 @@ struct DomainMinimum {
   bool converged = false;  // to the tolerance or as far as rounding allows
 };
 
-// From lengths at which the energy is finite; no length leaves the range from a thousandth of the start (or of the mean
-// where that is less) to its thousandfold. Throws Error "invalid-argument", "cancelled".
+// No length leaves the range from a thousandth of the start (or of the mean where that is less) to its thousandfold. A
+// start at which the energy is not finite is the result. Throws Error "invalid-argument", "cancelled".
 DomainMinimum minimise_domain(const DomainEnergy& energy, std::span<const double> start, const DomainOptions& options,
                               const base::Host& host);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace orbicube::sphere_map {
 namespace {
@@ -32,6 +31,8 @@ CoarseSpace::CoarseSpace(const StarMatrix& matrix, const base::Host& host, const
       members_(matrix.size(), host.memory),
       begin_(count_ + 1, 0, host.memory),
       modes_(matrix.size(), host.memory),
+      // The same bits in every program, also where one provides CHOLMOD.
+      factor_(linear::make_direct_factor(linear::DirectMethod::eigen)),
       solution_(static_cast<Eigen::Index>(4 * count_)) {
   // Breadth-first from all first vertices at once; the order of a level is local, so that they lie apart.
   base::Array<Index> queue(host.memory);
@@ -77,10 +78,9 @@ void CoarseSpace::set_modes(std::span<const Index> cluster, std::span<const Vect
   }
 }
 
-// The entries of the lower triangle in the rows of a cluster.
-void CoarseSpace::add_rows(std::size_t c, const StarMatrix& matrix,
-                           base::Array<Eigen::Triplet<double>>& entries) const {
-  std::vector<std::pair<std::size_t, Eigen::Matrix4d>> blocks = {{c, Eigen::Matrix4d::Zero()}};
+// The entries of the lower triangle in the rows of a cluster; `blocks` is room for its own.
+void CoarseSpace::add_rows(std::size_t c, const StarMatrix& matrix, Blocks& blocks, linear::Triplets& entries) const {
+  blocks.assign(1, {c, Eigen::Matrix4d::Zero()});
   const auto block = [&](std::size_t other) -> Eigen::Matrix4d& {
     auto found = std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return b.first == other; });
     if (found == blocks.end()) found = blocks.insert(found, {other, Eigen::Matrix4d::Zero()});
@@ -110,33 +110,33 @@ void CoarseSpace::set(const StarMatrix& matrix, std::span<const Vector3> points)
     for (std::size_t c = begin; c < end; ++c)
       set_modes(cluster(c), points);
   });
-  using Entries = base::Array<Eigen::Triplet<double>>;
-  base::Array<Entries> pieces((count_ + clusters_a_piece - 1) / clusters_a_piece, Entries(host_.memory), host_.memory);
+  base::Array<linear::Triplets> pieces((count_ + clusters_a_piece - 1) / clusters_a_piece,
+                                       linear::Triplets(host_.memory), host_.memory);
   pool_.run_pieces(count_, clusters_a_piece, [&](std::size_t begin, std::size_t end) {
+    Blocks blocks(host_.memory);
     for (std::size_t c = begin; c < end; ++c)
-      add_rows(c, matrix, pieces[begin / clusters_a_piece]);
+      add_rows(c, matrix, blocks, pieces[begin / clusters_a_piece]);
   });
-  Entries entries(host_.memory);
-  for (const Entries& piece : pieces)
+  linear::Triplets entries(host_.memory);
+  for (const linear::Triplets& piece : pieces)
     entries.insert(entries.end(), piece.begin(), piece.end());
   const auto size = static_cast<Eigen::Index>(4 * count_);
-  Eigen::SparseMatrix<double> coarse(size, size);
+  linear::SparseMatrix coarse(size, size);
   coarse.setFromTriplets(entries.begin(), entries.end());
   factor(coarse);
 }
 
-void CoarseSpace::factor(Eigen::SparseMatrix<double>& coarse) {
+void CoarseSpace::factor(linear::SparseMatrix& coarse) {
   constexpr double min_diagonal = 1e-12;  // of clusters of one vertex, which have no rotation
   const Eigen::VectorXd diagonal = coarse.diagonal().cwiseAbs().cwiseMax(min_diagonal);
-  if (!analyzed_) factor_.analyzePattern(coarse);
+  if (!analyzed_) factor_->analyze(coarse);
   analyzed_ = true;
   double shift = first_shift, before = 0;
   for (int trial = 0; trial < max_shifts && !usable_; ++trial) {
     host_.report("final optimization", 0, 0);
     for (Eigen::Index i = 0; i < coarse.rows(); ++i)
       coarse.coeffRef(i, i) += (shift - before) * diagonal[i];
-    factor_.factorize(coarse);
-    usable_ = factor_.info() == Eigen::Success;
+    usable_ = factor_->factorize(coarse) && factor_->is_positive();
     before = std::exchange(shift, shift_growth * shift);
   }
 }
@@ -151,7 +151,8 @@ void CoarseSpace::correct(std::span<const Vector2d> residual, std::span<Vector2d
       solution_.segment<4>(static_cast<Eigen::Index>(4 * c)) = sum;
     }
   });
-  solution_ = factor_.solve(solution_).eval();
+  const std::span<double> solution(solution_.data(), static_cast<std::size_t>(solution_.size()));
+  factor_->solve(solution, 1, solution);
   pool_.run_pieces(z.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       z[i] += modes_[i] * solution_.segment<4>(static_cast<Eigen::Index>(4 * cluster_of_[i]));

@@ -3,9 +3,9 @@
 // one can move far, turn and grow without distortion. Conjugate gradients then take a tenth of the steps.
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <memory>
 
+#include "linear/direct/direct_factor.h"
 #include "sphere_map/optimization/star_matrix.h"
 
 namespace orbicube::sphere_map {
@@ -29,8 +29,10 @@ class CoarseSpace {
     return {members_.data() + begin_[c], begin_[c + 1] - begin_[c]};
   }
   void set_modes(std::span<const Index> cluster, std::span<const Vector3> points);
-  void add_rows(std::size_t c, const StarMatrix& matrix, base::Array<Eigen::Triplet<double>>& entries) const;
-  void factor(Eigen::SparseMatrix<double>& coarse);
+  // A block of the matrix: the other cluster, and the entries.
+  using Blocks = base::Array<std::pair<std::size_t, Eigen::Matrix4d>>;
+  void add_rows(std::size_t c, const StarMatrix& matrix, Blocks& blocks, linear::Triplets& entries) const;
+  void factor(linear::SparseMatrix& coarse);
 
   const base::Host& host_;
   const base::ThreadPool& pool_;
@@ -39,7 +41,7 @@ class CoarseSpace {
   base::Array<Index> members_;  // vertices by cluster
   base::Array<std::size_t> begin_;
   base::Array<Modes> modes_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
+  std::unique_ptr<linear::DirectFactor> factor_;
   Eigen::VectorXd solution_;
   bool analyzed_ = false, usable_ = false;
 };
