@@ -118,7 +118,10 @@ class Mesher {
         excess_ = 0;
         make(cells);
         if (too_few_across()) make(cells);
-        if (by_polycube > 0 && excess_ > std::pow(by_polycube / excess_, patience)) excess_ = 0, refinement.forget();
+        if (by_polycube > 0 && excess_ > std::pow(by_polycube / excess_, patience)) {
+          excess_ = 0;
+          refinement.forget();
+        }
         by_polycube = excess_;
       }
       if (near() && !poor()) return;
