@@ -1,5 +1,6 @@
 #include "failing_allocations.h"
 
+#include <algorithm>
 #include <sys/mman.h>
 #include <time.h>
 
@@ -159,7 +160,7 @@ Outcome fail_each_allocation(const Call& call, std::size_t each_until) {
     disturbed = shared().failed;
     const bool unnoticed = disturbed && !shared().could_throw && status == OBC_OK;
     outcome.problem = problem_of_run(failing, status, disturbed && !unnoticed ? OBC_OUT_OF_MEMORY : OBC_OK, before);
-    failing += failing < each_until ? 1 : 7;
+    failing += failing < each_until ? 1 : std::max<std::size_t>(7, failing / 64);
   }
   return outcome;
 }
