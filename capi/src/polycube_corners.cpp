@@ -11,7 +11,7 @@ namespace {
 static_assert(OBC_POLYCUBE_TRUST_REGION == static_cast<int32_t>(polycube::CornerMethod::trust_region) &&
               OBC_POLYCUBE_GRADIENT == static_cast<int32_t>(polycube::CornerMethod::gradient));
 
-obc_polycube_corner_options default_options() {
+obc_polycube_corner_options default_corner_options() {
   const polycube::CornerOptions defaults;
   obc_polycube_corner_options o{};
   o.struct_size = sizeof o;
@@ -33,7 +33,7 @@ obc_polycube_corner_report to_report(const polycube::OptimalCorners& from) {
 }  // namespace
 
 obc_status obc_polycube_corner_options_init(obc_polycube_corner_options* options, size_t struct_size) {
-  return capi::init_versioned(options, struct_size, default_options());
+  return capi::init_versioned(options, struct_size, default_corner_options());
 }
 
 obc_status obc_polycube_optimize_corners(const obc_polycube* map, const obc_polycube_corner_options* options,
@@ -43,7 +43,7 @@ obc_status obc_polycube_optimize_corners(const obc_polycube* map, const obc_poly
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     capi::require(map != nullptr, "map is NULL");
-    const obc_polycube_corner_options o = capi::copy_versioned(options, default_options());
+    const obc_polycube_corner_options o = capi::copy_versioned(options, default_corner_options());
     capi::require(o.domain == 0 || o.domain == 1, "domain is neither 0 nor 1");
     capi::require(o.rounds >= 1, "rounds must be positive");
     polycube::CornerOptions corners;

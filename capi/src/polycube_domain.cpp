@@ -12,7 +12,7 @@ static_assert(OBC_POLYCUBE_SURFACE_MEAN == static_cast<int32_t>(polycube::Domain
               OBC_POLYCUBE_FACE_MEAN == static_cast<int32_t>(polycube::DomainMeasure::face_mean) &&
               OBC_POLYCUBE_HARMONIC == static_cast<int32_t>(polycube::DomainMeasure::harmonic));
 
-obc_polycube_domain_options default_options() {
+obc_polycube_domain_options default_domain_options() {
   const polycube::DomainOptions defaults;
   obc_polycube_domain_options o{};
   o.struct_size = sizeof o;
@@ -32,7 +32,7 @@ obc_polycube_domain_report to_report(const polycube::OptimalDomain& from) {
 }  // namespace
 
 obc_status obc_polycube_domain_options_init(obc_polycube_domain_options* options, size_t struct_size) {
-  return capi::init_versioned(options, struct_size, default_options());
+  return capi::init_versioned(options, struct_size, default_domain_options());
 }
 
 obc_status obc_polycube_optimize_domain(const obc_polycube* map, const obc_polycube_domain_options* options,
@@ -42,7 +42,7 @@ obc_status obc_polycube_optimize_domain(const obc_polycube* map, const obc_polyc
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     capi::require(map != nullptr, "map is NULL");
-    const obc_polycube_domain_options o = capi::copy_versioned(options, default_options());
+    const obc_polycube_domain_options o = capi::copy_versioned(options, default_domain_options());
     polycube::DomainOptions domain;
     domain.measure = static_cast<polycube::DomainMeasure>(o.measure);
     domain.area_weight = o.area_weight;

@@ -13,7 +13,7 @@ namespace {
 using mesh::Index;
 using mesh::Vector3;
 
-obc_polycube_feature_options default_options() {
+obc_polycube_feature_options default_feature_options() {
   obc_polycube_feature_options o{};
   o.struct_size = sizeof o;
   return o;
@@ -63,7 +63,7 @@ obc_polycube_feature_report to_report(const polycube::FeatureFit& from) {
 }  // namespace
 
 obc_status obc_polycube_feature_options_init(obc_polycube_feature_options* options, size_t struct_size) {
-  return capi::init_versioned(options, struct_size, default_options());
+  return capi::init_versioned(options, struct_size, default_feature_options());
 }
 
 obc_status obc_polycube_align_features(const obc_polycube* map, const obc_polycube_feature_options* options,
@@ -73,7 +73,7 @@ obc_status obc_polycube_align_features(const obc_polycube* map, const obc_polycu
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     capi::require(map != nullptr, "map is NULL");
-    const obc_polycube_feature_options o = capi::copy_versioned(options, default_options());
+    const obc_polycube_feature_options o = capi::copy_versioned(options, default_feature_options());
     const auto points = points_of(o);
     const auto curves = curves_of(o);
     const polycube::FeatureOptions features = {.points = points, .curves = curves, .feature_angle = o.feature_angle};

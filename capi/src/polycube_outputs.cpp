@@ -24,7 +24,7 @@ struct obc_polycube_quads {
 
 namespace {
 
-obc_polycube_quads_options default_options() {
+obc_polycube_quads_options default_quads_options() {
   const polycube::GridOptions defaults;
   obc_polycube_quads_options o{};
   o.struct_size = sizeof o;
@@ -123,7 +123,7 @@ obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph* graph, uint32_
 }
 
 obc_status obc_polycube_quads_options_init(obc_polycube_quads_options* options, size_t struct_size) {
-  return capi::init_versioned(options, struct_size, default_options());
+  return capi::init_versioned(options, struct_size, default_quads_options());
 }
 
 obc_status obc_polycube_quads_create(const obc_polycube* map, const obc_polycube_quads_options* options,
@@ -132,7 +132,7 @@ obc_status obc_polycube_quads_create(const obc_polycube* map, const obc_polycube
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     capi::require(map != nullptr, "map is NULL");
-    const obc_polycube_quads_options o = capi::copy_versioned(options, default_options());
+    const obc_polycube_quads_options o = capi::copy_versioned(options, default_quads_options());
     auto made = std::make_unique<obc_polycube_quads>(host);
     const base::Host& on = made->adapter.host();
     const polycube::PatchGraph graph = polycube::make_patch_graph(map->map, on);

@@ -41,6 +41,8 @@ class Error : public std::runtime_error {
 
   const char* kind() const { return kind_; }
   Status status() const { return status_of_kind(kind_); }
+  // Whether another attempt is out of the question: the host wants the end, or there is no memory.
+  bool must_end() const { return status() == Status::cancelled || status() == Status::out_of_memory; }
 
  private:
   const char* kind_;

@@ -22,6 +22,9 @@ struct Progress {
   double fraction;  // of the whole work that is done, 0 to 1; never less than in an earlier report
 };
 
+// Items of well below a microsecond each between two reports: loops over these report every few milliseconds.
+inline constexpr std::size_t items_between_reports = 8192;
+
 class Stage;
 
 class Host {

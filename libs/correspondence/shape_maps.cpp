@@ -18,7 +18,7 @@ using mesh::Triangle;
 using mesh::Vector3;
 using polycube::SurfaceMap;
 
-constexpr const char* phase = "map between shapes";
+constexpr const char* shape_maps_phase = "map between shapes";
 
 // A point of a map's triangle on the polycube, exactly in the planes that the corners it lies between share.
 Vector3 on_polycube(const SurfaceMap& map, const TrianglePoint& point) {
@@ -110,13 +110,13 @@ base::Array<TrianglePoint> ShapeMaps::carry(std::size_t from, std::size_t to, st
   base::Array<TrianglePoint> pieces(host.memory);
   pieces.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % 1024 == 0) host.report(phase, i, points.size());
+    if (i % 1024 == 0) host.report(shape_maps_phase, i, points.size());
     pieces.push_back(surfaces_[from].piece_of(points[i]));
   }
   base::Array<TrianglePoint> result =
       maps_.empty() ? through_sphere(from, to, pieces, host) : through_polycube(from, to, pieces, host);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % 1024 == 0) host.report(phase, i, points.size());
+    if (i % 1024 == 0) host.report(shape_maps_phase, i, points.size());
     result[i] = surfaces_[to].given_of(result[i]);
   }
   return result;
@@ -173,7 +173,7 @@ base::Array<TrianglePoint> ShapeMaps::through_polycube(std::size_t from, std::si
       result.push_back({located.triangles[i], located.weights[i]});
       continue;
     }
-    host.report(phase, i, pieces.size());
+    host.report(shape_maps_phase, i, pieces.size());
     result.push_back(nearest_in_plane(maps_[to], places[i], polycube::axis_of(maps_[from].labels[pieces[i].triangle])));
     if (result.back().triangle == mesh::no_index)
       throw base::Error("internal", "a point is in no plane of the polycube");

@@ -139,7 +139,7 @@ void take_tetrahedra(const Work& work, Framed& result) {
   result.solid.frames.assign(work.options.frames.begin(), work.options.frames.end());
 }
 
-FrameFigures figures_of(const FrameHexes& made) {
+FrameFigures frame_figures_of(const FrameHexes& made) {
   FrameFigures figures;
   figures.inner_irregular_edges = made.inner_irregular_edges;
   figures.tetrahedra = made.map.solid.tetrahedra.size();
@@ -192,7 +192,7 @@ Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, Effort 
                          : make_hexahedra_by_frames(framed.solid, options, work.host);
   Hexahedra made(work.host.memory);
   made.method = Method::frames;
-  made.along_frames = figures_of(found);
+  made.along_frames = frame_figures_of(found);
   made.along_frames->fill_seconds = fill_seconds;
   made.compute_seconds = seconds_since(start) - found.field_seconds;
   made.result = std::move(found.result);
@@ -224,10 +224,6 @@ Features features_of_machined(const Work& work) {
   return may_have_features(o) && (tagged || surface_is(has_edges, work)) ? Features::automatic : Features::off;
 }
 
-bool must_end(const base::Error& error) {
-  return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
-}
-
 constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
 
 // Layers are those of a polycube.
@@ -239,7 +235,7 @@ std::optional<Hexahedra> tried_along_frames(const Work& work, Effort effort) {
   try {
     return hexahedra_along_frames(work, feature_angle_of(work.options), effort);
   } catch (const base::Error& error) {
-    if (must_end(error)) throw;
+    if (error.must_end()) throw;
     work.host.log(std::string("no hexahedra along frames: ") + error.what());
     return {};
   }
@@ -254,7 +250,7 @@ Hexahedra best_of_cells(const Work& work, bool machined, std::optional<Hexahedra
   try {
     take(hexahedra_of_cells(work, frames_may(work) ? HexMethod::automatic : HexMethod::polycube));
   } catch (const base::Error& error) {
-    if (must_end(error)) throw;
+    if (error.must_end()) throw;
     const bool examined = work.findings.examined;
     if (!made && !machined && frames_may(work) && std::string_view(error.kind()) == "no-valid-result")
       take(tried_along_frames(work, Effort::few_fields));
@@ -331,7 +327,7 @@ class WithFeatures {
     try {
       take(by_grid_ ? by_strategy(work) : best_of_cells(work, machined, {}), false);
     } catch (const base::Error& error) {
-      if (must_end(error) || !best_) throw;
+      if (error.must_end() || !best_) throw;
     }
     work_.findings.examined = true;
   }

@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/sums.h"
 
 namespace orbicube::projected_gradient {
@@ -14,7 +15,6 @@ using base::require;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the unknown: between the error of a central difference, which is in proportion to the square of the step, and the
 // rounding of f, which is in proportion to its inverse.
 constexpr double relative_step = 1e-5;
@@ -27,7 +27,7 @@ constexpr double resolved = 1e-2;
 
 struct Difference {
   double value = std::numeric_limits<double>::quiet_NaN();
-  double uncertainty = infinity;
+  double uncertainty = base::infinity;
 };
 
 struct Checked {
@@ -81,8 +81,8 @@ GradientCheck check_gradient(const Problem& problem, std::span<const double> x, 
                              const base::Host& host) {
   const std::size_t n = problem.n;
   require(n >= 1 && x.size() == n && base::all_finite(x), "x must be n finite numbers");
-  const auto low = [&](std::size_t j) { return problem.lower.empty() ? -infinity : problem.lower[j]; };
-  const auto high = [&](std::size_t j) { return problem.upper.empty() ? infinity : problem.upper[j]; };
+  const auto low = [&](std::size_t j) { return problem.lower.empty() ? -base::infinity : problem.lower[j]; };
+  const auto high = [&](std::size_t j) { return problem.upper.empty() ? base::infinity : problem.upper[j]; };
   base::Array<double> at(n, 0.0, host.memory), gradient(n, std::numeric_limits<double>::quiet_NaN(), host.memory);
   for (std::size_t j = 0; j < n; ++j) {
     require(low(j) <= high(j), "a lower bound is above its upper bound, or not a number");

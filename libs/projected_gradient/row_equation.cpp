@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/infinity.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 struct Pass {
@@ -58,14 +58,14 @@ Pass evaluate(const RowEquation& e, double t) {
 
 // The two values of t at which unknown j meets its bounds, in order; infinite where there is none.
 std::array<double, 2> breakpoints(const RowEquation& e, std::size_t j) {
-  if (e.a[j] == 0 || e.lower[j] == e.upper[j]) return {infinity, infinity};
+  if (e.a[j] == 0 || e.lower[j] == e.upper[j]) return {base::infinity, base::infinity};
   const double at_lower = (e.lower[j] - e.y[j]) / e.a[j], at_upper = (e.upper[j] - e.y[j]) / e.a[j];
   return {std::min(at_lower, at_upper), std::max(at_lower, at_upper)};
 }
 
-// The nearest breakpoint beyond t in the direction of `sign`, and a little more; an infinity when there is none.
+// The nearest breakpoint beyond t in the direction of `sign`, and a little more; an base::infinity when there is none.
 double next_breakpoint(const RowEquation& e, double t, double sign) {
-  double best = infinity;
+  double best = base::infinity;
   for (std::size_t j = 0; j < e.a.size(); ++j) {
     for (const double point : breakpoints(e, j)) {
       const double distance = sign * (point - t);
@@ -167,14 +167,14 @@ double breakpoint_inside(const RowEquation& e, double low, double low_residual, 
 
 RowRoot solve_row_equation(const RowEquation& equation, double start, double accuracy) {
   constexpr std::uint32_t pass_limit = 400;
-  double low = -infinity, high = infinity;
+  double low = -base::infinity, high = base::infinity;
   double low_residual = 0, high_residual = 0, low_slope = 0;
-  double previous = infinity;
+  double previous = base::infinity;
   int slow = 0;  // passes in a row that did not halve the residual
   RowRoot root;
   root.t = std::isfinite(start) ? start : 0;
   RowRoot best = root;
-  best.residual = infinity;
+  best.residual = base::infinity;
   while (root.passes < pass_limit) {
     const Pass pass = evaluate(equation, root.t);
     ++root.passes;
@@ -194,7 +194,7 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
     // Newton's step; where that gains little, the root of a sample until there is a bracket, then its chord and, when
     // that gains little too, what its breakpoints tell.
     const double slope = sign > 0 ? pass.slope_up : pass.slope_down;
-    double candidate = slope > 0 ? root.t - root.residual / slope : infinity;
+    double candidate = slope > 0 ? root.t - root.residual / slope : base::infinity;
     if (slow > 0 || !usable(candidate)) {
       if (!bracketed) {
         candidate = sampled_root(equation, root.t, root.residual, low, high);
@@ -207,7 +207,7 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
       }
     }
     if (!bracketed && !usable(candidate)) {
-      candidate = slope > 0 ? root.t - root.residual / slope : infinity;
+      candidate = slope > 0 ? root.t - root.residual / slope : base::infinity;
       if (!std::isfinite(candidate)) {
         candidate = next_breakpoint(equation, root.t, sign);
         ++root.passes;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/names.h"
 #include "projected_gradient/vector_math.h"
 
@@ -17,7 +18,6 @@ using base::Search;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // No f that is bounded has such a value.
 constexpr double bottomless = -1e200;
 
@@ -46,7 +46,7 @@ std::size_t limited_pairs(const Problem& problem, const Options& options) {
 // How far x + t d stays within the bounds.
 double longest_step(std::span<const double> x, std::span<const double> d, std::span<const double> lower,
                     std::span<const double> upper) {
-  double longest = infinity;
+  double longest = base::infinity;
   for (std::size_t j = 0; j < x.size(); ++j) {
     if (d[j] != 0) longest = std::min(longest, ((d[j] > 0 ? upper[j] : lower[j]) - x[j]) / d[j]);
   }
@@ -76,7 +76,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       direction_(problem.n, 0.0, host.memory),
       best_(problem.n, 0.0, host.memory),
       multipliers_(problem.rows(), 0.0, host.memory),
-      last_values_(options.history, -infinity, host.memory) {
+      last_values_(options.history, -base::infinity, host.memory) {
   require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
   for (const double x : start)
     require(std::abs(x) <= max_coordinate, "the start is beyond 1e150");

@@ -13,11 +13,11 @@ using base::require;
 
 namespace {
 
-struct Description {
+struct RelaxationDescription {
   std::uint64_t count, dimension, problem;
   RelaxationOptions options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCRELX1", "sphere_optimizer's relaxation");
+constexpr base::SavedRun<RelaxationDescription> saved_relaxation("OBCRELX1", "sphere_optimizer's relaxation");
 
 }  // namespace
 
@@ -109,22 +109,23 @@ void Relaxation::visit_state(Self& self, const Visit& visit) {
 }
 
 std::size_t Relaxation::save_size() const {
-  return shape_.size() * sizeof(double) + saved_run.size([this](const auto& visit) { visit_state(*this, visit); });
+  return shape_.size() * sizeof(double) +
+         saved_relaxation.size([this](const auto& visit) { visit_state(*this, visit); });
 }
 
 void Relaxation::save(std::span<const double> points, std::span<std::byte> blob) const {
   require(points.size() == shape_.size(), "points must be those of the relaxation");
-  saved_run.write(blob, {shape_.count, shape_.dimension, problem_, options_}, [&](const auto& visit) {
+  saved_relaxation.write(blob, {shape_.count, shape_.dimension, problem_, options_}, [&](const auto& visit) {
     visit_state(*this, visit);
     visit(points);
   });
 }
 
 void Relaxation::load(std::span<const std::byte> blob, std::span<double> points) {
-  const Description saved = saved_run.description(blob);
+  const RelaxationDescription saved = saved_relaxation.description(blob);
   const bool same = saved.count == shape_.count && saved.dimension == shape_.dimension && saved.problem == problem_ &&
                     points.size() == shape_.size();
-  saved_run.read(blob, same, [&](const auto& visit) {
+  saved_relaxation.read(blob, same, [&](const auto& visit) {
     visit_state(*this, visit);
     visit(points);
   });

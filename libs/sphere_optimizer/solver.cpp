@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/names.h"
 #include "base/sums.h"
 #include "sphere_optimizer/great_circle.h"
@@ -25,7 +26,6 @@ using base::Search;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double quarter_circle = 0.5 * std::numbers::pi;
 
 const Options& checked(const Options& options) {
@@ -73,7 +73,7 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       curvature_(shape.count, 1.0, host.memory),
       ambient_(options.method == Method::dissertation ? shape.size() : 0, 0.0, host.memory),
       trial_ambient_(options.method == Method::dissertation ? shape.size() : 0, 0.0, host.memory),
-      last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -infinity, host.memory) {
+      last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -base::infinity, host.memory) {
   if (start.empty()) return;
   require(start.size() == shape.size() && base::all_finite(start), "the start must be finite numbers");
   std::copy(start.begin(), start.end(), x_.begin());
@@ -299,7 +299,7 @@ void Solver::accept_trial() {
       const bool take_long = state_.iterations % 2 == 0;
       state_.step_length =
           take_long ? base::dot(velocity_, velocity_) / product : product / base::dot(gradient_, gradient_);
-      if (!(product > 0 && state_.step_length > 0)) state_.step_length = infinity;
+      if (!(product > 0 && state_.step_length > 0)) state_.step_length = base::infinity;
     }
   }
   begin_at_trial();

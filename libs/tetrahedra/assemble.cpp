@@ -13,8 +13,7 @@
 namespace orbicube::tetrahedra {
 namespace {
 
-constexpr const char* phase = "checking tetrahedra";
-constexpr std::size_t items_between_reports = 8192;
+constexpr const char* assemble_phase = "checking tetrahedra";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw base::Error("no-valid-result", what);
@@ -59,7 +58,7 @@ void add_tetrahedra(const TetgenMesh& made, const Regions& regions, const Array<
   solid.tetrahedra.reserve(made.tetrahedra.size());
   std::size_t flat = 0;
   for (std::size_t i = 0; i < made.tetrahedra.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, made.tetrahedra.size());
+    if (i % base::items_between_reports == 0) host.report(assemble_phase, i, made.tetrahedra.size());
     if (regions.solid[i] == 0) continue;
     const Tetrahedron t = renumbered(made.tetrahedra[i], number);
     flat += mesh::orientation_3d(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) <= 0;
@@ -103,7 +102,7 @@ void add_boundary(std::span<const Triangle> triangles, const TetgenMesh& made, c
   solid.boundary.resize(made.faces.size());
   solid.boundary_source.resize(made.faces.size());
   for (std::size_t f = 0; f < made.faces.size(); ++f) {
-    if (f % items_between_reports == 0) host.report(phase, f, made.faces.size());
+    if (f % base::items_between_reports == 0) host.report(assemble_phase, f, made.faces.size());
     const auto source = static_cast<std::size_t>(made.face_sources[f]);
     Triangle face = renumbered(made.faces[f], number);
     if (keep_surface) {

@@ -10,8 +10,7 @@
 namespace orbicube::tetrahedra {
 namespace {
 
-constexpr const char* phase = "finding inside and outside";
-constexpr std::size_t items_between_reports = 8192;
+constexpr const char* regions_phase = "finding inside and outside";
 
 Triple sorted(Triple face) {
   std::sort(face.begin(), face.end());
@@ -54,7 +53,7 @@ constexpr std::uint8_t unknown = 2;
 base::Array<std::uint8_t> walls_of(const TetgenMesh& made, const FaceSearch& search, const base::Host& host) {
   base::Array<std::uint8_t> walls(made.tetrahedra.size(), 0, host.memory);
   for (std::size_t t = 0; t < walls.size(); ++t) {
-    if (t % items_between_reports == 0) host.report(phase, t, 0);
+    if (t % base::items_between_reports == 0) host.report(regions_phase, t, 0);
     for (std::size_t k = 0; k < 4; ++k) {
       if (search.find(face_of(made.tetrahedra[t], k))) walls[t] = static_cast<std::uint8_t>(walls[t] | 1U << k);
     }
@@ -94,7 +93,7 @@ class RegionFill {
     while (!region_.empty()) {
       const std::size_t t = region_.back();
       region_.pop_back();
-      if (++visited_ % items_between_reports == 0) host_.report(phase, visited_, walls_.size());
+      if (++visited_ % base::items_between_reports == 0) host_.report(regions_phase, visited_, walls_.size());
       for (std::size_t k = 0; k < 4; ++k)
         cross(t, k, solid);
     }

@@ -19,7 +19,7 @@
 namespace orbicube::tetrahedra {
 namespace {
 
-constexpr const char* phase = "filling with tetrahedra";
+constexpr const char* tetgen_call_phase = "filling with tetrahedra";
 
 // What the child writes before the arrays. TetGen's list of the tetrahedra beside faces is of no use: outside is 0 in
 // it.
@@ -141,13 +141,13 @@ TetgenOutcome call_tetgen(std::span<const mesh::Vector3> positions, std::span<co
     throw base::Error("unsupported", "more vertices or triangles than TetGen can count");
   ChildProcess child([&](const ChildProcess::Output& output) { work(positions, triangles, options, output); }, tell);
   const auto crashed = [&] {
-    host.report(phase, 1, 1);  // what ended the child, as Ctrl-C, may be meant for the parent as well
+    host.report(tetgen_call_phase, 1, 1);  // what ended the child, as Ctrl-C, may be meant for the parent as well
     const int signal = child.wait();
     if (signal == SIGKILL) return TetgenOutcome{TetgenOutcome::Kind::out_of_memory, signal};
     return TetgenOutcome{TetgenOutcome::Kind::crashed, signal};
   };
   const auto read = [&](auto& values) {
-    return child.read(std::as_writable_bytes(std::span(values.data(), values.size())), host, phase);
+    return child.read(std::as_writable_bytes(std::span(values.data(), values.size())), host, tetgen_call_phase);
   };
   std::array<Header, 1> header;
   if (!read(header)) return crashed();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/names.h"
 #include "trust_region/dense.h"
 
@@ -13,8 +14,6 @@ namespace orbicube::trust_region {
 using base::require;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Options& checked(const Options& options) {
   require(options.method == Method::two_radii || options.method == Method::dissertation, "unknown method");
@@ -113,7 +112,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
            (options_.start == Start::automatic && !models_.of_residuals() && variables_.bounded());
   variables_.clip(start_.data());
   variables_.from_free(start_.data(), best_);
-  state_.best_value = infinity;
+  state_.best_value = base::infinity;
   allocate(false);
 }
 
@@ -235,11 +234,11 @@ void Solver::tell(std::span<const double> outputs) {
   state_.told_value = models_.objective(told_.data());
   // A signed sum may be finite by chance where a residual is not.
   for (const double value : told_) {
-    if (!std::isfinite(value)) state_.told_value = infinity;
+    if (!std::isfinite(value)) state_.told_value = base::infinity;
   }
   const bool failed = !std::isfinite(state_.told_value);
   if (failed || beyond_cliff(state_.told_value)) {
-    state_.told_value = infinity;
+    state_.told_value = base::infinity;
     state_.failed_evaluations += failed ? 1 : 0;
     ++state_.failures_in_row;
     ++state_.failures_of_level;

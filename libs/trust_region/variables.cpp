@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/infinity.h"
 #include "trust_region/dense.h"
 
 namespace orbicube::trust_region {
@@ -60,7 +61,7 @@ Variables::Variables(const Problem& problem, std::span<const double> start, bool
     require(full_lower_[i] <= full_upper_[i], "a lower bound is above its upper bound, or not a number");
     require(full_lower_[i] < std::numeric_limits<double>::infinity() &&
                 full_upper_[i] > -std::numeric_limits<double>::infinity(),
-            "a lower bound is infinity or an upper bound -infinity");
+            "a lower bound is base::infinity or an upper bound -base::infinity");
     require(problem.scale.empty() || (problem.scale[i] >= 1e-150 && problem.scale[i] <= 1e150),
             "a scale must be from 1e-150 to 1e150");
     if (full_lower_[i] < full_upper_[i]) free_.push_back(static_cast<std::uint32_t>(i));
@@ -106,7 +107,7 @@ void Variables::choose_scale(const Problem& problem, std::span<const double> sta
   double largest_start = 0;
   for (const double x : start)
     largest_start = std::max(largest_start, std::abs(x));
-  // One bound has information unless it is 0, or an infinity.
+  // One bound has information unless it is 0, or an base::infinity.
   const auto has_bound = [&](std::size_t k) {
     for (const double bound : {full_lower_[free_[k]], full_upper_[free_[k]]}) {
       if (bound != 0 && std::abs(bound) <= widest_box) return true;
@@ -122,8 +123,7 @@ void Variables::choose_scale(const Problem& problem, std::span<const double> sta
     }
     return usable(far) && (has_bound(k) || far > rounding * std::min(1.0, largest_start)) ? far : 0.0;
   };
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double narrowest = infinity, narrowest_box = infinity, widest = 0, least = infinity, most = 0;
+  double narrowest = base::infinity, narrowest_box = base::infinity, widest = 0, least = base::infinity, most = 0;
   for (std::size_t k = 0; k < free_.size(); ++k) {
     const double box = width(k), magnitude = box > 0 ? box : reach(k);
     if (box == 0 && magnitude > 0 && has_bound(k)) narrowest = std::min(narrowest, magnitude);

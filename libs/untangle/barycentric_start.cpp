@@ -13,11 +13,11 @@ namespace {
 constexpr double anchor = 1e-8;
 constexpr double tolerance = 1e-10, max_residual = 1e-6;
 
-using Edge = std::pair<Index, Index>;
+using EdgeEnds = std::pair<Index, Index>;
 
 template <class Element>
-Array<Edge> edges_of(std::span<const Element> elements, const base::Host& host) {
-  Array<Edge> edges(host.memory);
+Array<EdgeEnds> edges_of(std::span<const Element> elements, const base::Host& host) {
+  Array<EdgeEnds> edges(host.memory);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i % 8192 == 0) host.report("start", 0, 0);
     const Element& e = elements[i];
@@ -39,14 +39,14 @@ struct Laplacian {
   Array<Index> columns;
   Array<double> entries, right;
 
-  Laplacian(std::span<const Edge> edges, const Variables& variables, std::span<const double> values, int block,
+  Laplacian(std::span<const EdgeEnds> edges, const Variables& variables, std::span<const double> values, int block,
             const base::Host& host)
       : row_begin(variables.free() + 1, 0, host.memory),
         columns(host.memory),
         entries(host.memory),
         right(variables.free(), 0, host.memory) {
     const std::size_t free = variables.free();
-    Array<Edge> below(host.memory);  // row, column; one for each edge that joins them
+    Array<EdgeEnds> below(host.memory);  // row, column; one for each edge that joins them
     Array<double> degree(free, 0, host.memory);
     for (const auto& [a, b] : edges) {
       for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,8 +1,8 @@
 #include "failing_allocations.h"
 
-#include <algorithm>
 #include <sys/mman.h>
 #include <time.h>
+#include <algorithm>
 
 #include <atomic>
 #include <chrono>

@@ -21,8 +21,8 @@ struct Outcome {
 // from nothing each time it is called; it does not allocate for itself what it keeps.
 using Call = std::function<obc_status(const obc_host& host)>;
 
-// Runs `call` with the n-th allocation (operator new or the host's allocator, counted together) failing, for n = 0, 1, 2, ...
-// until a run has fewer. Each disturbed run must return OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
+// Runs `call` with the n-th allocation (operator new or the host's allocator, counted together) failing, for n = 0, 1,
+// 2, ... until a run has fewer. Each disturbed run must return OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
 // every block must be released, the host's with the size and alignment it was allocated with. An allocation that cannot
 // throw (new (std::nothrow), with which the standard library requires memory that it can do without) may fail
 // unnoticed. The host has one thread, so that the order of allocations is always the same. Past the first `each_until`

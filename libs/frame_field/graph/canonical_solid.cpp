@@ -14,7 +14,6 @@
 namespace orbicube::frame_field {
 namespace {
 
-constexpr std::size_t items_between_reports = 16384;
 // Axes of the solid that are off the given ones by less (radians) are taken to be these: a box that stands straight
 // keeps its coordinates to the bit.
 constexpr double straight = 1e-9;
@@ -162,7 +161,7 @@ void order_vertices(std::span<const Vector3> positions, const mesh::TetrahedralC
   Array<std::array<Index, 3>> faces(host.memory);
   faces.reserve(connectivity.boundary_face_count());
   for (Index f = 0; f < connectivity.face_count(); ++f) {
-    if (f % items_between_reports == 0) host.report("boundary", f, connectivity.face_count());
+    if (f % base::items_between_reports == 0) host.report("boundary", f, connectivity.face_count());
     if (connectivity.on_boundary(f)) faces.push_back(ranked(connectivity.vertices(f), rank));
   }
   std::ranges::sort(faces);
@@ -197,7 +196,7 @@ void order_tetrahedra(std::span<const Tetrahedron> tetrahedra, CanonicalSolid& s
   };
   Array<Numbered> sorted(tetrahedra.size(), host.memory);
   for (Index t = 0; t < sorted.size(); ++t) {
-    if (t % items_between_reports == 0) host.report("ordering tetrahedra", t, sorted.size());
+    if (t % base::items_between_reports == 0) host.report("ordering tetrahedra", t, sorted.size());
     Tetrahedron corners{};
     for (std::size_t k = 0; k < 4; ++k)
       corners[k] = number[tetrahedra[t][k]];

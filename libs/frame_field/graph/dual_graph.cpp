@@ -9,8 +9,6 @@
 namespace orbicube::frame_field {
 namespace {
 
-constexpr std::size_t items_between_reports = 16384;
-
 // Area of the shared face over the distance of the centers; 1 where that is no positive number.
 double geometric_weight(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
                         Index face) {
@@ -51,7 +49,7 @@ DualGraph make_dual_graph(std::span<const Vector3> positions, const mesh::Tetrah
   double sum = 0;
   std::size_t ends = 0;
   for (Index i = 0; i < count; ++i) {
-    if (i % items_between_reports == 0) host.report("linking tetrahedra", i, count);
+    if (i % base::items_between_reports == 0) host.report("linking tetrahedra", i, count);
     const Index t = graph.tetrahedron[i];
     for (Index k = 0; k < 4; ++k) {
       const Index face = 4 * t + k;

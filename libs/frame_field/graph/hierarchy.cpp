@@ -8,7 +8,6 @@ namespace orbicube::frame_field {
 namespace {
 
 constexpr std::size_t group_size = 8;
-constexpr std::size_t items_between_reports = 16384;
 
 // Links of the finest graph and of a coarse one, alike.
 struct FineLinks {
@@ -45,7 +44,7 @@ Index make_groups(const Links& links, Array<Index>& group, const base::Host& hos
   };
   Array<Candidate> candidates(host.memory);
   for (Index start = 0; start < links.size(); ++start) {
-    if (start % items_between_reports == 0) host.report("coarsening", start, links.size());
+    if (start % base::items_between_reports == 0) host.report("coarsening", start, links.size());
     if (group[start] != no_index) continue;
     candidates.clear();
     Candidate heaviest{no_index, 0};  // a group beside this one
@@ -99,7 +98,7 @@ CoarseGraph coarsen(const Links& links, const base::Host& host) {
   // Links of one group at a time; slot[h] is where the link to group h stands while its group is at work.
   Array<Index> slot(groups, no_index, host.memory);
   for (Index g = 0; g < groups; ++g) {
-    if (g % items_between_reports == 0) host.report("coarsening", g, groups);
+    if (g % base::items_between_reports == 0) host.report("coarsening", g, groups);
     const auto begin = static_cast<Index>(coarse.other.size());
     coarse.begin[g] = begin;
     for (const Index node : nodes[g]) {

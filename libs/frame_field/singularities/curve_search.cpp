@@ -15,7 +15,7 @@ using quaternion::cube_group;
 constexpr std::uint32_t half_of_sweeps = 3;
 constexpr double hopeless_early = 1, hopeless = 0.5, hopeless_late = 0.1;
 constexpr double min_gain = 1e-4;  // of a move
-constexpr std::size_t items_between_reports = 64;
+constexpr std::size_t curves_between_reports = 64;
 
 }  // namespace
 
@@ -53,13 +53,13 @@ double CurveSearch::run(std::uint32_t max_passes, Field& field) {
     }
     std::size_t moved = 0;
     for (std::size_t i = 0; i < ends.size(); i += 2) {
-      if (i % items_between_reports == 0) host_.report("moving curves", i, ends.size());
+      if (i % curves_between_reports == 0) host_.report("moving curves", i, ends.size());
       moved += move_edge(ends[i].ring, field) ? 1 : 0;
     }
     std::ranges::sort(
         ends, [](const End& a, const End& b) { return a.vertex != b.vertex ? a.vertex < b.vertex : a.ring < b.ring; });
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      if (i % items_between_reports == 0) host_.report("moving curves", i, ends.size());
+      if (i % curves_between_reports == 0) host_.report("moving curves", i, ends.size());
       if (ends[i].vertex == ends[i + 1].vertex) moved += move_vertex(ends[i].ring, ends[i + 1].ring, field) ? 1 : 0;
     }
     if (moved == 0) break;

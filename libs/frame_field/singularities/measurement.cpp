@@ -12,7 +12,6 @@ namespace orbicube::frame_field {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-constexpr std::size_t items_between_reports = 16384;
 
 // Leaves `angles` in another order.
 AngleStatistics statistics(Array<float>& angles, const base::CompensatedSum& sum) {
@@ -59,7 +58,7 @@ Measurement measure(std::span<const Vector3> positions, const mesh::TetrahedralC
   plain.reserve(inner);
   base::CompensatedSum energy, symmetric_sum, plain_sum, alignment_sum;
   for (Index t = 0; t < field.size(); ++t) {
-    if (t % items_between_reports == 0) host.report("measuring", t, field.size());
+    if (t % base::items_between_reports == 0) host.report("measuring", t, field.size());
     const Quaternion q = quaternion::normalized(field[t]);
     m.norm_error = std::max(m.norm_error, std::abs(std::sqrt(quaternion::dot(field[t], field[t])) - 1));
     std::size_t faces = 0;

@@ -25,7 +25,7 @@ constexpr std::uint32_t fitting_sweeps = 60, smoothing_sweeps = 60, seam_sweeps 
 constexpr std::uint32_t rings_not_smoothed = 3;  // about faults that smoothing brings back
 // Frames that differ by less are the same (recombination.h); radians.
 constexpr double same_angle = 0.1;
-constexpr double last_gain = 1e-5, rough_gain = 1e-3;
+constexpr double last_gain = 1e-5, first_gain = 1e-3;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ RepairOutcome Repair::search_about_single_axes(Field& smoother) {
   std::uint32_t count = rounds(smoother);
   Field field = constant_start(graph_, constraints_, {1, 0, 0, 0}, host_);
   count += rounds(field);
-  smooth_all(rough_gain, field);
+  smooth_all(first_gain, field);
   count += rounds(field);
   take_smoother(smoother, field);
   count += rounds(field);

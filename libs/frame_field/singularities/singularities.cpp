@@ -9,7 +9,6 @@ namespace {
 
 using quaternion::cube_group;
 using quaternion::CubeClass;
-constexpr std::size_t items_between_reports = 16384;
 
 std::int8_t turn_about(std::span<const Index> ring, std::uint8_t rotation, const Vector3& along,
                        std::span<const Quaternion> field, std::span<const std::uint8_t> matchings) {
@@ -105,7 +104,7 @@ Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity,
                               const base::Host& host) {
   Array<std::uint8_t> result(connectivity.face_count(), 0, host.memory);
   for (Index face = 0; face < result.size(); ++face) {
-    if (face % items_between_reports == 0) host.report("matching", face, result.size());
+    if (face % base::items_between_reports == 0) host.report("matching", face, result.size());
     const Index other = connectivity.opposite(face);
     if (other == no_index || other < face) continue;
     const std::uint32_t g = quaternion::symmetric_matching(field[mesh::TetrahedralConnectivity::tetrahedron_of(face)],
@@ -127,7 +126,7 @@ SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::Tet
                              std::span<const std::uint8_t> matchings, const base::Host& host) {
   SingularGraph graph(host.memory);
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (r % items_between_reports == 0) host.report("singular edges", r, rings.size());
+    if (r % base::items_between_reports == 0) host.report("singular edges", r, rings.size());
     if (rings.on_boundary(r)) continue;
     const mesh::Edge edge = rings.vertices(r);
     const Vector3 along = positions[edge[1]] - positions[edge[0]];

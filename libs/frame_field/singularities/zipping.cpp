@@ -21,7 +21,6 @@ constexpr double mismatch_cost = 2;  // times sin^2 of half the angle across a f
 // Changes for less are not made; what is worth most comes first.
 constexpr double least_worth[] = {8, 4, 2, 1, 0.5, 0.05};
 constexpr std::uint32_t max_passes = 30;  // for each
-constexpr std::size_t items_between_reports = 4096;
 
 enum class EdgeKind : std::uint8_t { regular, of_three, of_five, other };
 
@@ -80,7 +79,7 @@ class Zipper {
       for (std::uint32_t pass = 0; pass < max_passes; ++pass) {
         std::size_t made = 0;
         for (std::size_t i = 0; i < faces_.size(); ++i) {
-          if (i % items_between_reports == 0) host_.report("zipping", pass, max_passes);
+          if (i % base::items_between_reports == 0) host_.report("zipping", pass, max_passes);
           made += improve(faces_[i], least) ? 1 : 0;
         }
         changes += made;
@@ -109,7 +108,7 @@ class Zipper {
         touched[v] = 1;
     }
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      if (r % items_between_reports == 0) host_.report("zipping", r, rings_.size());
+      if (r % base::items_between_reports == 0) host_.report("zipping", r, rings_.size());
       mesh::Edge edge = rings_.vertices(r);
       if (rings_.on_boundary(r) || touched[edge[0]] == 0 || touched[edge[1]] == 0) continue;
       if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);

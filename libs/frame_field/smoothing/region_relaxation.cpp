@@ -12,7 +12,7 @@ using quaternion::cube_group;
 using quaternion::multiply;
 
 constexpr double over_relaxation = 1.6;
-constexpr std::size_t items_between_reports = 1024;
+constexpr std::size_t tetrahedra_between_reports = 1024;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void RegionRelaxation::relax(std::span<const Index> tetrahedra, std::span<const 
                              std::uint32_t sweeps, Field& field) const {
   for (std::uint32_t sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
-      if (i % items_between_reports == 0) host_.report("relaxing regions", sweep, sweeps);
+      if (i % tetrahedra_between_reports == 0) host_.report("relaxing regions", sweep, sweeps);
       field[tetrahedra[i]] = relaxed(tetrahedra[i], matchings, field);
     }
   }

@@ -16,7 +16,7 @@ namespace orbicube::gltf {
 
 namespace {
 
-enum class Form : std::uint8_t {
+enum class ValueForm : std::uint8_t {
   index,           // into an array: 0 to 2^31 - 1
   indices,         // an array of them
   index_map,       // an object of them
@@ -35,7 +35,7 @@ enum class Form : std::uint8_t {
 // A member of an object. `kind` is of the error for a number beyond its range.
 struct Rule {
   std::string_view name;
-  Form form;
+  ValueForm form;
   bool required = false;
   const char* kind = "parse";
   std::span<const Rule> members{};
@@ -44,47 +44,49 @@ struct Rule {
 
 constexpr bool required = true, optional = false;
 
-constexpr std::array sparse_indices = {Rule{"bufferView", Form::index, required},
-                                       Rule{"byteOffset", Form::small_size, optional, "accessor-range"},
-                                       Rule{"componentType", Form::component_type, required}};
-constexpr std::array sparse_values = {Rule{"bufferView", Form::index, required},
-                                      Rule{"byteOffset", Form::small_size, optional, "accessor-range"}};
-constexpr std::array sparse = {Rule{"count", Form::small_size, required, "accessor-range"},
-                               Rule{"indices", Form::object, required, "parse", sparse_indices},
-                               Rule{"values", Form::object, required, "parse", sparse_values}};
-constexpr std::array accessor = {Rule{"bufferView", Form::index},
-                                 Rule{"byteOffset", Form::size, optional, "accessor-range"},
-                                 Rule{"normalized", Form::boolean},
-                                 Rule{"componentType", Form::component_type, required},
-                                 Rule{"count", Form::size, required, "accessor-range"},
-                                 Rule{"type", Form::accessor_type, required},
-                                 Rule{"sparse", Form::object, optional, "parse", sparse}};
-constexpr std::array buffer_view = {Rule{"buffer", Form::index, required},
-                                    Rule{"byteOffset", Form::size, optional, "accessor-range"},
-                                    Rule{"byteLength", Form::size, required, "accessor-range"},
-                                    Rule{"byteStride", Form::small_size, optional, "accessor-range"}};
-constexpr std::array buffer = {Rule{"byteLength", Form::size, required, "truncated"}, Rule{"uri", Form::text}};
-constexpr std::array primitive = {Rule{"attributes", Form::index_map, required, "index-range"},
-                                  Rule{"indices", Form::index, optional, "index-range"}, Rule{"mode", Form::index},
-                                  Rule{"targets", Form::index_maps, optional, "index-range"}};
-constexpr std::array mesh = {Rule{"primitives", Form::objects, required, "parse", primitive},
-                             Rule{"weights", Form::numbers}};
-constexpr std::array node = {Rule{"mesh", Form::index, optional, "index-range"},
-                             Rule{"skin", Form::index, optional, "index-range"},
-                             Rule{"children", Form::indices, optional, "index-range"},
-                             Rule{"matrix", Form::numbers, optional, "parse", {}, 16},
-                             Rule{"translation", Form::numbers, optional, "parse", {}, 3},
-                             Rule{"rotation", Form::numbers, optional, "parse", {}, 4},
-                             Rule{"scale", Form::numbers, optional, "parse", {}, 3},
-                             Rule{"weights", Form::numbers}};
-constexpr std::array scene = {Rule{"nodes", Form::indices, optional, "index-range"}};
-constexpr std::array document = {Rule{"accessors", Form::objects, optional, "parse", accessor},
-                                 Rule{"bufferViews", Form::objects, optional, "parse", buffer_view},
-                                 Rule{"buffers", Form::objects, optional, "parse", buffer},
-                                 Rule{"meshes", Form::objects, optional, "parse", mesh},
-                                 Rule{"nodes", Form::objects, optional, "parse", node},
-                                 Rule{"scenes", Form::objects, optional, "parse", scene},
-                                 Rule{"scene", Form::index, optional, "index-range"}};
+constexpr std::array sparse_indices = {Rule{"bufferView", ValueForm::index, required},
+                                       Rule{"byteOffset", ValueForm::small_size, optional, "accessor-range"},
+                                       Rule{"componentType", ValueForm::component_type, required}};
+constexpr std::array sparse_values = {Rule{"bufferView", ValueForm::index, required},
+                                      Rule{"byteOffset", ValueForm::small_size, optional, "accessor-range"}};
+constexpr std::array sparse = {Rule{"count", ValueForm::small_size, required, "accessor-range"},
+                               Rule{"indices", ValueForm::object, required, "parse", sparse_indices},
+                               Rule{"values", ValueForm::object, required, "parse", sparse_values}};
+constexpr std::array accessor = {Rule{"bufferView", ValueForm::index},
+                                 Rule{"byteOffset", ValueForm::size, optional, "accessor-range"},
+                                 Rule{"normalized", ValueForm::boolean},
+                                 Rule{"componentType", ValueForm::component_type, required},
+                                 Rule{"count", ValueForm::size, required, "accessor-range"},
+                                 Rule{"type", ValueForm::accessor_type, required},
+                                 Rule{"sparse", ValueForm::object, optional, "parse", sparse}};
+constexpr std::array buffer_view = {Rule{"buffer", ValueForm::index, required},
+                                    Rule{"byteOffset", ValueForm::size, optional, "accessor-range"},
+                                    Rule{"byteLength", ValueForm::size, required, "accessor-range"},
+                                    Rule{"byteStride", ValueForm::small_size, optional, "accessor-range"}};
+constexpr std::array buffer = {Rule{"byteLength", ValueForm::size, required, "truncated"},
+                               Rule{"uri", ValueForm::text}};
+constexpr std::array primitive = {Rule{"attributes", ValueForm::index_map, required, "index-range"},
+                                  Rule{"indices", ValueForm::index, optional, "index-range"},
+                                  Rule{"mode", ValueForm::index},
+                                  Rule{"targets", ValueForm::index_maps, optional, "index-range"}};
+constexpr std::array mesh = {Rule{"primitives", ValueForm::objects, required, "parse", primitive},
+                             Rule{"weights", ValueForm::numbers}};
+constexpr std::array node = {Rule{"mesh", ValueForm::index, optional, "index-range"},
+                             Rule{"skin", ValueForm::index, optional, "index-range"},
+                             Rule{"children", ValueForm::indices, optional, "index-range"},
+                             Rule{"matrix", ValueForm::numbers, optional, "parse", {}, 16},
+                             Rule{"translation", ValueForm::numbers, optional, "parse", {}, 3},
+                             Rule{"rotation", ValueForm::numbers, optional, "parse", {}, 4},
+                             Rule{"scale", ValueForm::numbers, optional, "parse", {}, 3},
+                             Rule{"weights", ValueForm::numbers}};
+constexpr std::array scene = {Rule{"nodes", ValueForm::indices, optional, "index-range"}};
+constexpr std::array document_rules = {Rule{"accessors", ValueForm::objects, optional, "parse", accessor},
+                                       Rule{"bufferViews", ValueForm::objects, optional, "parse", buffer_view},
+                                       Rule{"buffers", ValueForm::objects, optional, "parse", buffer},
+                                       Rule{"meshes", ValueForm::objects, optional, "parse", mesh},
+                                       Rule{"nodes", ValueForm::objects, optional, "parse", node},
+                                       Rule{"scenes", ValueForm::objects, optional, "parse", scene},
+                                       Rule{"scene", ValueForm::index, optional, "index-range"}};
 
 void check_members(JsonValue object, std::span<const Rule> rules);
 
@@ -120,30 +122,30 @@ void check_accessor_type(JsonValue value) {
 void check_value(JsonValue value, const Rule& rule) {
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   switch (rule.form) {
-    case Form::index:
-    case Form::small_size:
+    case ValueForm::index:
+    case ValueForm::small_size:
       return check_whole(value, largest, rule.kind);
-    case Form::indices:
+    case ValueForm::indices:
       return value.for_each_element([&](JsonValue index) { check_whole(index, largest, rule.kind); });
-    case Form::index_map:
+    case ValueForm::index_map:
       return check_index_map(value, rule.kind);
-    case Form::index_maps:
+    case ValueForm::index_maps:
       return value.for_each_element([&](JsonValue map) { check_index_map(map, rule.kind); });
-    case Form::size:
+    case ValueForm::size:
       return check_whole(value, std::numeric_limits<std::ptrdiff_t>::max(), rule.kind);
-    case Form::numbers:
+    case ValueForm::numbers:
       return check_numbers(value, rule.count);
-    case Form::text:
+    case ValueForm::text:
       return static_cast<void>(value.string());
-    case Form::boolean:
+    case ValueForm::boolean:
       return static_cast<void>(value.boolean());
-    case Form::component_type:
+    case ValueForm::component_type:
       return check_component_type(value);
-    case Form::accessor_type:
+    case ValueForm::accessor_type:
       return check_accessor_type(value);
-    case Form::object:
+    case ValueForm::object:
       return check_members(value, rule.members);
-    case Form::objects:
+    case ValueForm::objects:
       return value.for_each_element([&](JsonValue element) { check_members(element, rule.members); });
   }
 }
@@ -203,7 +205,7 @@ void check_extensions(JsonValue root) {
 void check_structure(JsonValue root) {
   check_version(root);
   check_extensions(root);
-  check_members(root, document);
+  check_members(root, document_rules);
 }
 
 }  // namespace orbicube::gltf

@@ -15,8 +15,6 @@ namespace {
 using mesh::Index;
 using mesh::Triangle;
 
-constexpr std::size_t items_between_reports = std::size_t{1} << 16U;
-
 void require(bool condition, const char* message) {
   if (!condition) throw base::Error("invalid-argument", message);
 }
@@ -59,7 +57,7 @@ PlacedCorners place_surface(const Scene& scene, const base::Host& host) {
     }
     PlacedPrimitive to{&from, found->second, base::Array<Triangle>(host.memory)};
     for (std::size_t t = from.first_triangle; t < from.first_triangle + from.triangle_count; ++t) {
-      if (t % items_between_reports == 0) host.report("placing corners", t, kept.triangles.size());
+      if (t % base::items_between_reports == 0) host.report("placing corners", t, kept.triangles.size());
       Triangle corners = corners_in_order(kept, t, scene.triangles[t]);
       if (to.triangles.empty()) to.turned = is_turned(kept.triangles[t], corners);
       for (Index& corner : corners)
@@ -102,7 +100,7 @@ class CornerPlacer {
       result.groups.push_back({base::Array<BlendedVertex>(host_.memory), base::Array<Index>(host_.memory)});
     }
     for (std::size_t t = 0; t < scene_.triangles.size(); ++t) {
-      if (t % items_between_reports == 0) host_.report("placing corners", t, scene_.triangles.size());
+      if (t % base::items_between_reports == 0) host_.report("placing corners", t, scene_.triangles.size());
       const KeptTriangle& on = scene_.kept_triangles[t];
       require(on.middle < corners_.size(), "a triangle lies on none of the surface that was read");
       const std::size_t p = primitive_of_[on.middle];

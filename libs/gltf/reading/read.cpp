@@ -22,8 +22,6 @@ namespace {
 
 using mesh::Triangle;
 
-constexpr std::size_t items_between_reports = std::size_t{1} << 16U;
-
 // glTF's primitive modes (5.24.4 of the specification).
 enum class Mode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
@@ -251,7 +249,7 @@ class SurfaceReader {
   void add_transformed(const base::Array<Vector3>& positions, const Placement& placement, std::size_t accessor) {
     surface_.positions.reserve(surface_.positions.size() + positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      if (i % items_between_reports == 0) asset_.host().report("placing vertices", i, positions.size());
+      if (i % base::items_between_reports == 0) asset_.host().report("placing vertices", i, positions.size());
       const Vector3 placed = placement.to_world * positions[i];
       if (!placed.allFinite()) {
         throw base::Error("non-finite", place_of("accessors", accessor) + ": element " + std::to_string(i) +
@@ -273,7 +271,7 @@ class SurfaceReader {
     if (surface_.triangles.capacity() - surface_.triangles.size() < count)
       surface_.triangles.reserve(std::max(surface_.triangles.size() + count, 2 * surface_.triangles.size()));
     for (std::size_t i = 0; i < count; ++i) {
-      if (i % items_between_reports == 0) asset_.host().report("reading triangles", i, count);
+      if (i % base::items_between_reports == 0) asset_.host().report("reading triangles", i, count);
       Triangle triangle = corners_of(corners, mode, i);
       if (!separate && mesh::has_repeated_corner(triangle)) {
         ++dropped_;  // strips go on elsewhere through triangles without area

@@ -11,7 +11,7 @@ namespace orbicube::gltf {
 
 namespace {
 
-std::string place(std::size_t node) {
+std::string node_place(std::size_t node) {
   return place_of("nodes", node);
 }
 
@@ -21,7 +21,7 @@ Eigen::Affine3d local_transform(const tiny::Node& node, std::size_t index) {
   if (!node.matrix.empty()) {
     result.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
     if (result.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-      throw base::Error("parse", place(index) + ".matrix is not affine: its last row is not 0 0 0 1");
+      throw base::Error("parse", node_place(index) + ".matrix is not affine: its last row is not 0 0 0 1");
     return result;
   }
   if (!node.translation.empty()) result.translation() = Eigen::Vector3d(node.translation.data());
@@ -30,7 +30,8 @@ Eigen::Affine3d local_transform(const tiny::Node& node, std::size_t index) {
     Eigen::Quaterniond quaternion(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
     // Files hold unit quaternions to the precision of floats; a rotation that also scaled would be no rotation.
     const double norm = quaternion.norm();
-    if (!(std::abs(norm - 1) < 0.01)) throw base::Error("parse", place(index) + ".rotation is not a unit quaternion");
+    if (!(std::abs(norm - 1) < 0.01))
+      throw base::Error("parse", node_place(index) + ".rotation is not a unit quaternion");
     quaternion.coeffs() /= norm;
     // The identity must leave positions as they are to the bit.
     if (!quaternion.vec().isZero(0)) result.linear() = quaternion.toRotationMatrix();
@@ -42,14 +43,15 @@ Eigen::Affine3d local_transform(const tiny::Node& node, std::size_t index) {
 // The sign of the determinant, whose own value may be beyond the range of doubles. Throws when it is zero.
 bool is_mirror(const Eigen::Affine3d& transform, std::size_t node) {
   if (!transform.matrix().allFinite())
-    throw base::Error("non-finite", place(node) + ": its transform is beyond the range of numbers");
+    throw base::Error("non-finite", node_place(node) + ": its transform is beyond the range of numbers");
   Eigen::Matrix3d columns = transform.linear();
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const double largest = columns.col(axis).cwiseAbs().maxCoeff();
     if (largest > 0) columns.col(axis) /= largest;
   }
   const double determinant = columns.determinant();
-  if (determinant == 0) throw base::Error("degenerate-geometry", place(node) + ": its transform flattens the mesh");
+  if (determinant == 0)
+    throw base::Error("degenerate-geometry", node_place(node) + ": its transform flattens the mesh");
   return determinant < 0;
 }
 
@@ -84,14 +86,14 @@ class Walk {
 
   void visit(std::size_t index, const Eigen::Affine3d& parent_to_world) {
     const tiny::Node& node = nodes_[index];
-    if (visited_[index]) throw base::Error("parse", place(index) + " is reached twice: the nodes are not a tree");
+    if (visited_[index]) throw base::Error("parse", node_place(index) + " is reached twice: the nodes are not a tree");
     visited_[index] = true;
     if (++steps_ % 1024 == 0) asset_.host().report("reading nodes", steps_, nodes_.size());
     const Eigen::Affine3d to_world = parent_to_world * local_transform(node, index);
     if (node.mesh >= 0) {
       const bool skinned = node.skin >= 0;
       const Eigen::Affine3d used = skinned ? Eigen::Affine3d::Identity() : to_world;
-      require_index(node.mesh, asset_.model().meshes.size(), "meshes", place(index) + ".mesh");
+      require_index(node.mesh, asset_.model().meshes.size(), "meshes", node_place(index) + ".mesh");
       if (used.linear().isZero(0)) {
         if (hidden_++ == 0) first_hidden_ = index;
       } else {
@@ -99,7 +101,7 @@ class Walk {
       }
     }
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-      require_index(*child, nodes_.size(), "nodes", place(index) + ".children");
+      require_index(*child, nodes_.size(), "nodes", node_place(index) + ".children");
       pending_.push_back({static_cast<std::size_t>(*child), to_world});
     }
   }
@@ -119,7 +121,7 @@ base::Array<bool> children_of_nodes(const Asset& asset) {
   base::Array<bool> is_child(nodes.size(), false, asset.host().memory);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (const int child : nodes[i].children) {
-      require_index(child, nodes.size(), "nodes", place(i) + ".children");
+      require_index(child, nodes.size(), "nodes", node_place(i) + ".children");
       is_child[static_cast<std::size_t>(child)] = true;
     }
   }

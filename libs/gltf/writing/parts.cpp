@@ -14,8 +14,6 @@
 namespace orbicube::gltf {
 namespace {
 
-constexpr std::size_t items_between_reports = std::size_t{1} << 16U;
-
 void check(const Part& part, const base::Host& host) {
   const auto require = [&](bool condition, const char* message) {
     if (!condition) throw base::Error("invalid-argument", "part '" + part.name + "': " + message);
@@ -30,7 +28,7 @@ void check(const Part& part, const base::Host& host) {
   require(part.translation.allFinite() && std::isfinite(part.scale) && part.scale > 0,
           "translation is not finite, or scale is not a positive number");
   for (std::size_t i = 0; i < part.positions.size(); ++i) {
-    if (i % items_between_reports == 0) host.report("checking", i, part.positions.size());
+    if (i % base::items_between_reports == 0) host.report("checking", i, part.positions.size());
     require(part.positions[i].cast<float>().allFinite(), "positions are not finite");
   }
   for (const mesh::Triangle& t : part.triangles)

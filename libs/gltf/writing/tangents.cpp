@@ -28,7 +28,6 @@ Growth growth_of(const Vector3& ab, const Vector3& ac, const Eigen::Vector2d& st
 base::Array<float> smooth_tangents(std::span<const float> positions, std::span<const float> normals,
                                    std::span<const float> coordinates, std::span<const mesh::Triangle> triangles,
                                    const base::Host& host) {
-  constexpr std::size_t items_between_reports = std::size_t{1} << 16U;
   const auto vector = [](std::span<const float> values, std::size_t v) -> Vector3 {
     return Eigen::Map<const Eigen::Vector3f>(values.data() + 3 * v).cast<double>();
   };
@@ -37,7 +36,7 @@ base::Array<float> smooth_tangents(std::span<const float> positions, std::span<c
   };
   base::Array<Growth> sums(positions.size() / 3, Growth(), host.memory);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (i % items_between_reports == 0) host.report("making tangents", i, triangles.size());
+    if (i % base::items_between_reports == 0) host.report("making tangents", i, triangles.size());
     const auto& [a, b, c] = triangles[i];
     const Growth growth =
         growth_of(vector(positions, b) - vector(positions, a), vector(positions, c) - vector(positions, a),
@@ -49,7 +48,7 @@ base::Array<float> smooth_tangents(std::span<const float> positions, std::span<c
   }
   base::Array<float> tangents(4 * sums.size(), host.memory);
   for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (v % items_between_reports == 0) host.report("making tangents", v, sums.size());
+    if (v % base::items_between_reports == 0) host.report("making tangents", v, sums.size());
     const Vector3 normal = vector(normals, v);
     Vector3 tangent = sums[v].direction - sums[v].direction.dot(normal) * normal;
     tangent.stableNormalize();

@@ -10,7 +10,7 @@
 namespace orbicube::harmonics {
 namespace {
 
-constexpr const char* phase = "fitting";
+constexpr const char* gauss_grid_phase = "fitting";
 constexpr std::size_t width = 16;
 using Column = std::array<double, width>;
 using base::Four, base::load, base::store;
@@ -92,7 +92,7 @@ GaussGrid::GaussGrid(std::uint32_t degree, const base::Host& host)
   const std::size_t circles = 2 * std::size_t{degree} + 1;
   Array<long double> angle(degree + std::size_t{1}, host.memory);
   Array<double> weight(circles, host.memory), rest(pairs_.padded(), host.memory);
-  gauss_legendre_angles(angle, weight, [&] { host.report(phase, 0, 0); });
+  gauss_legendre_angles(angle, weight, [&] { host.report(gauss_grid_phase, 0, 0); });
   for (std::size_t t = 0; t <= degree; ++t) {
     pairs_.set(t, angle[t]);
     // The equator is a circle and its opposite.
@@ -191,7 +191,7 @@ void GaussGrid::analyze_order(Work& work, std::uint32_t m, double* packed, std::
 // Spectra of all circles from packed_, which is scaled.
 void GaussGrid::synthesize_orders(Array<Work>& work, std::uint32_t degree, std::size_t channels) {
   spectra_.resize((2 * std::size_t{degree} + 1) * channels * group_count());
-  slots_.run_all(degree + std::size_t{1}, phase, host_, [&](std::size_t m, std::size_t slot) {
+  slots_.run_all(degree + std::size_t{1}, gauss_grid_phase, host_, [&](std::size_t m, std::size_t slot) {
     const auto order = static_cast<std::uint32_t>(m);
     synthesize_order(work[slot], order, packed_.data() + order_start(order, degree) * 2 * channels, channels);
   });
@@ -220,7 +220,7 @@ GaussGrid::Values GaussGrid::values(const Coefficients& function) {
   Array<Work> work = make_work(function.degree, 1);
   synthesize_orders(work, function.degree, 1);
   Values values(group_count() * longitudes(), host_.memory);
-  slots_.run_all(group_count(), phase, host_, [&](std::size_t group, std::size_t slot) {
+  slots_.run_all(group_count(), gauss_grid_phase, host_, [&](std::size_t group, std::size_t slot) {
     ComplexLanes* data = values.data() + group * longitudes();
     read_spectrum(group, 0, 1, function.degree, data);
     ComplexLanes* scratch = series_.data() + 2 * slot * longitudes();
@@ -260,7 +260,7 @@ void GaussGrid::multiply(const Values& density, std::span<const double> c, std::
   };
   each([&](double& packed, std::size_t k, bool used) { packed = used ? c[k] : 0; });
   synthesize_orders(work_, degree, channels);
-  slots_.run_all(group_count(), phase, host_, [&](std::size_t group, std::size_t slot) {
+  slots_.run_all(group_count(), gauss_grid_phase, host_, [&](std::size_t group, std::size_t slot) {
     ComplexLanes* data = series_.data() + 2 * slot * longitudes();
     ComplexLanes* scratch = data + longitudes();
     for (std::size_t channel = 0; channel < channels; ++channel) {
@@ -276,7 +276,7 @@ void GaussGrid::multiply(const Values& density, std::span<const double> c, std::
       }
     }
   });
-  slots_.run_all(degree + std::size_t{1}, phase, host_, [&](std::size_t m, std::size_t slot) {
+  slots_.run_all(degree + std::size_t{1}, gauss_grid_phase, host_, [&](std::size_t m, std::size_t slot) {
     const auto order = static_cast<std::uint32_t>(m);
     analyze_order(work_[slot], order, packed_.data() + order_start(order, degree) * 2 * channels, channels);
   });

@@ -21,7 +21,7 @@ constexpr double floor_of_median = 0.1, floor_of_mean = 1e-6;
 constexpr double tolerance = 1e-12, probe_tolerance = 1e-4;
 // A fit ends when the gradient at the samples is this fraction of the first.
 constexpr double enough = 1e-11;
-constexpr int max_passes = 3;
+constexpr int max_refinements = 3;
 // Functions that are solved for together.
 constexpr std::size_t max_together = 3;
 
@@ -186,7 +186,8 @@ bool fit_large(const FitSamples& samples, const FitOptions& options, const base:
   const auto add_solution = [&](const Coefficients& right, bool is_first) {
     return solver.add_solution(right, is_first, coefficients, report);
   };
-  fit_in_passes(samples, equations, {.max_passes = max_passes, .enough = enough}, coefficients, add_solution, host);
+  fit_in_passes(samples, equations, {.max_passes = max_refinements, .enough = enough}, coefficients, add_solution,
+                host);
   return true;
 }
 

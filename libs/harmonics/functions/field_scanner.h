@@ -54,7 +54,7 @@ class FieldScanner {
   void expect(char c) {
     skip_space();
     if (at_ == end_) fail("truncated", std::string("the file ends where '") + c + "' was expected");
-    if (*at_ != c) fail("parse", std::string("'") + c + "' expected, found " + found());
+    if (*at_ != c) fail("parse", "expected '" + std::string(1, c) + "', found " + found());
     ++at_;
   }
 

@@ -25,8 +25,8 @@ ORBICUBE_INLINE void advance(const Step& step, const Lanes& z, Lanes& last, Lane
 }
 
 template <std::size_t channels>
-ORBICUBE_INLINE void synthesise_group(double first, const Step* step, std::size_t count, const Lanes& z,
-                                      const double* packed, GroupLanes& cosine, GroupLanes& sine) {
+ORBICUBE_INLINE void synthesise_circles(double first, const Step* step, std::size_t count, const Lanes& z,
+                                        const double* packed, GroupLanes& cosine, GroupLanes& sine) {
   Lanes last, before;
   start(first, last, before);
   for (std::size_t c = 0; c < channels; ++c) {
@@ -56,8 +56,8 @@ ORBICUBE_INLINE double dot(const Lanes& a, const Lanes& b) {
 }
 
 template <std::size_t channels>
-ORBICUBE_INLINE void analyse_group(double first, const Step* step, std::size_t count, const Lanes& z,
-                                   const GroupLanes& cosine, const GroupLanes& sine, double* packed) {
+ORBICUBE_INLINE void analyse_circles(double first, const Step* step, std::size_t count, const Lanes& z,
+                                     const GroupLanes& cosine, const GroupLanes& sine, double* packed) {
   Lanes last, before;
   start(first, last, before);
   for (std::size_t l = 0; l < count; ++l, packed += 2 * channels) {
@@ -73,32 +73,32 @@ ORBICUBE_INLINE void analyse_group(double first, const Step* step, std::size_t c
 ORBICUBE_VECTOR_VARIANTS
 void synthesise_1(double first, const Step* step, std::size_t count, const Lanes& z, const double* packed,
                   GroupLanes& cosine, GroupLanes& sine) {
-  synthesise_group<1>(first, step, count, z, packed, cosine, sine);
+  synthesise_circles<1>(first, step, count, z, packed, cosine, sine);
 }
 ORBICUBE_VECTOR_VARIANTS
 void synthesise_2(double first, const Step* step, std::size_t count, const Lanes& z, const double* packed,
                   GroupLanes& cosine, GroupLanes& sine) {
-  synthesise_group<2>(first, step, count, z, packed, cosine, sine);
+  synthesise_circles<2>(first, step, count, z, packed, cosine, sine);
 }
 ORBICUBE_VECTOR_VARIANTS
 void synthesise_3(double first, const Step* step, std::size_t count, const Lanes& z, const double* packed,
                   GroupLanes& cosine, GroupLanes& sine) {
-  synthesise_group<3>(first, step, count, z, packed, cosine, sine);
+  synthesise_circles<3>(first, step, count, z, packed, cosine, sine);
 }
 ORBICUBE_VECTOR_VARIANTS
 void analyse_1(double first, const Step* step, std::size_t count, const Lanes& z, const GroupLanes& cosine,
                const GroupLanes& sine, double* packed) {
-  analyse_group<1>(first, step, count, z, cosine, sine, packed);
+  analyse_circles<1>(first, step, count, z, cosine, sine, packed);
 }
 ORBICUBE_VECTOR_VARIANTS
 void analyse_2(double first, const Step* step, std::size_t count, const Lanes& z, const GroupLanes& cosine,
                const GroupLanes& sine, double* packed) {
-  analyse_group<2>(first, step, count, z, cosine, sine, packed);
+  analyse_circles<2>(first, step, count, z, cosine, sine, packed);
 }
 ORBICUBE_VECTOR_VARIANTS
 void analyse_3(double first, const Step* step, std::size_t count, const Lanes& z, const GroupLanes& cosine,
                const GroupLanes& sine, double* packed) {
-  analyse_group<3>(first, step, count, z, cosine, sine, packed);
+  analyse_circles<3>(first, step, count, z, cosine, sine, packed);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Coefficients without_mean(const Coefficients& f, std::uint32_t degree, std::pmr:
   return cut;
 }
 
-double product(const Coefficients& a, const Coefficients& b) {
+double inner_product(const Coefficients& a, const Coefficients& b) {
   return base::dot(a.values, b.values);
 }
 
@@ -65,7 +65,7 @@ class Climb {
     constexpr int max_steps = 50;
     constexpr double longest = 0.15;  // radians
     Coefficients h = turned(place.rotation, place.values);
-    place.sum = product(f_, h);
+    place.sum = inner_product(f_, h);
     for (int step = 0; step < max_steps; ++step) {
       const Eigen::VectorXd direction = newton_direction(h, longest);
       const double length = direction.norm();
@@ -78,7 +78,7 @@ class Climb {
         const Matrix3 values =
             turn_values_ ? Matrix3(small_rotation(share * direction.tail<3>()) * place.values) : place.values;
         Coefficients there = turned(rotation, values);
-        const double sum = product(f_, there);
+        const double sum = inner_product(f_, there);
         better = sum > place.sum || length < unresolved;
         if (!better) continue;
         place = {orthogonal(rotation), orthogonal(values), sum};
@@ -114,9 +114,9 @@ class Climb {
     Eigen::VectorXd gradient(n);
     Eigen::MatrixXd bend(n, n);  // minus the second derivatives: <f, X Y h> = -<X f, Y h>
     for (Eigen::Index i = 0; i < n; ++i) {
-      gradient[i] = product(f_, h_slopes[static_cast<std::size_t>(i)]);
+      gradient[i] = inner_product(f_, h_slopes[static_cast<std::size_t>(i)]);
       for (Eigen::Index j = 0; j < n; ++j)
-        bend(i, j) = product(f_slopes_[static_cast<std::size_t>(i)], h_slopes[static_cast<std::size_t>(j)]);
+        bend(i, j) = inner_product(f_slopes_[static_cast<std::size_t>(i)], h_slopes[static_cast<std::size_t>(j)]);
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (bend + bend.transpose()));
     const double floor = 1e-10 * eigen.eigenvalues().cwiseAbs().maxCoeff();
@@ -173,7 +173,7 @@ Alignment align(const Coefficients& fixed, const Coefficients& moving, const Ali
   const std::uint32_t degree = std::min(fixed.degree, moving.degree);
   const auto length_of = [&](const Coefficients& all) {
     const Coefficients cut = without_mean(all, all.degree, host.memory);
-    return std::sqrt(product(cut, cut));
+    return std::sqrt(inner_product(cut, cut));
   };
   const double lengths = length_of(fixed) * length_of(moving);
   if (degree == 0 || !(lengths > 0))

@@ -10,11 +10,11 @@ namespace {
 using base::Four, base::load, base::store;
 
 // One number of four rows, or of four columns.
-struct Block {
+struct SeriesBlock {
   Four a, b, c, d;
 };
 
-ORBICUBE_INLINE Block transposed(const Block& m) {
+ORBICUBE_INLINE SeriesBlock transposed(const SeriesBlock& m) {
   const Four ab_low = __builtin_shufflevector(m.a, m.b, 0, 4, 2, 6),
              ab_high = __builtin_shufflevector(m.a, m.b, 1, 5, 3, 7);
   const Four cd_low = __builtin_shufflevector(m.c, m.d, 0, 4, 2, 6),
@@ -31,14 +31,15 @@ struct GroupRows {
 };
 
 // Four rows, every other one, of which each has four orders.
-ORBICUBE_INLINE Block real_parts(const GroupRows<const ComplexLanes>& g, std::size_t odd_row, std::size_t odd) {
+ORBICUBE_INLINE SeriesBlock real_parts(const GroupRows<const ComplexLanes>& g, std::size_t odd_row, std::size_t odd) {
   const auto at = [&](std::size_t i) __attribute__((always_inline)) {
     const std::size_t r = 2 * i + odd_row;
     return load(g.row[r][odd].real.data()) * (odd == 1 ? g.sign[r] : 1.0);
   };
   return transposed({at(0), at(1), at(2), at(3)});
 }
-ORBICUBE_INLINE Block imaginary_parts(const GroupRows<const ComplexLanes>& g, std::size_t odd_row, std::size_t odd) {
+ORBICUBE_INLINE SeriesBlock imaginary_parts(const GroupRows<const ComplexLanes>& g, std::size_t odd_row,
+                                            std::size_t odd) {
   const auto at = [&](std::size_t i) __attribute__((always_inline)) {
     const std::size_t r = 2 * i + odd_row;
     return load(g.row[r][odd].imaginary.data()) * (odd == 1 ? g.sign[r] : 1.0);
@@ -51,8 +52,8 @@ ORBICUBE_VECTOR_VARIANTS
 void write_spectrum(const GroupRows<const ComplexLanes>& g, const double* factor, std::size_t m, std::size_t count,
                     std::size_t length, ComplexLanes* data) {
   for (std::size_t odd = 0; odd < 2; ++odd) {
-    const Block a = real_parts(g, 0, odd), b = imaginary_parts(g, 0, odd);
-    const Block c = real_parts(g, 1, odd), d = imaginary_parts(g, 1, odd);
+    const SeriesBlock a = real_parts(g, 0, odd), b = imaginary_parts(g, 0, odd);
+    const SeriesBlock c = real_parts(g, 1, odd), d = imaginary_parts(g, 1, odd);
     const auto write = [&](std::size_t i, Four one, Four two, Four three, Four four) __attribute__((always_inline)) {
       const std::size_t k = m + 2 * i + odd;
       if (k >= count) return;
@@ -82,7 +83,7 @@ ORBICUBE_VECTOR_VARIANTS
 void add_spectrum(const ComplexLanes* data, const double* factor, std::size_t m, std::size_t count, std::size_t length,
                   const GroupRows<ComplexLanes>& g) {
   for (std::size_t odd = 0; odd < 2; ++odd) {
-    Block a, b, c, d;
+    SeriesBlock a, b, c, d;
     const auto read = [&](std::size_t i, Four & one, Four & two, Four & three, Four & four)
         __attribute__((always_inline)) {
       const std::size_t k = m + 2 * i + odd;
@@ -121,10 +122,10 @@ ORBICUBE_VECTOR_VARIANTS
 void write_rows(const ComplexLanes* data, std::size_t count, std::size_t stride, double* to) {
   std::size_t p = 0;
   for (; p + 4 <= count; p += 4, data += 4, to += 4) {
-    const Block real = transposed(
+    const SeriesBlock real = transposed(
         {load(data[0].real.data()), load(data[1].real.data()), load(data[2].real.data()), load(data[3].real.data())});
-    const Block imaginary = transposed({load(data[0].imaginary.data()), load(data[1].imaginary.data()),
-                                        load(data[2].imaginary.data()), load(data[3].imaginary.data())});
+    const SeriesBlock imaginary = transposed({load(data[0].imaginary.data()), load(data[1].imaginary.data()),
+                                              load(data[2].imaginary.data()), load(data[3].imaginary.data())});
     store(to, real.a);
     store(to + stride, imaginary.a);
     store(to + 2 * stride, real.b);
@@ -146,9 +147,9 @@ ORBICUBE_VECTOR_VARIANTS
 void read_rows(const double* from, std::size_t count, std::size_t stride, ComplexLanes* data) {
   std::size_t p = 0;
   for (; p + 4 <= count; p += 4, data += 4, from += 4) {
-    const Block real =
+    const SeriesBlock real =
         transposed({load(from), load(from + 2 * stride), load(from + 4 * stride), load(from + 6 * stride)});
-    const Block imaginary =
+    const SeriesBlock imaginary =
         transposed({load(from + stride), load(from + 3 * stride), load(from + 5 * stride), load(from + 7 * stride)});
     store(data[0].real.data(), real.a);
     store(data[0].imaginary.data(), imaginary.a);

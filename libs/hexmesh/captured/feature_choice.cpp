@@ -18,10 +18,6 @@ namespace {
 // ones.
 constexpr double shortest_side = 2.5;
 
-bool must_end(const base::Error& error) {
-  return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
-}
-
 bool has_all(const FeatureFigures& figures) {
   constexpr double all = 0.99;  // of the length
   return figures.missing.empty() && figures.captured >= all;
@@ -71,7 +67,7 @@ FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choic
     figures_.bound = scaled_jacobian_bound(*surface_, host);
     rectangular_ = has_right_angles(*surface_, host);
   } catch (const base::Error& error) {
-    if (must_end(error)) throw;
+    if (error.must_end()) throw;
     surface_.reset();
     host.log(std::string("sharp edges are not kept: ") + error.what());
   }
@@ -112,7 +108,7 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
     fitted_ += made.fitted;
     return made;
   } catch (const base::Error& error) {
-    if (must_end(error)) throw;
+    if (error.must_end()) throw;
     FeatureHexes none(host_.memory);
     none.obstacle = error.what();
     return none;

@@ -12,7 +12,7 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr const char* phase = "distance";
+constexpr const char* hausdorff_distance_phase = "distance";
 
 // A point of a surface and what of the other surface is nearest to it.
 struct Sample {
@@ -42,7 +42,7 @@ class OneWay {
     // Where bounds do not close in, as between sheets that are equally far, what was found stands.
     const std::size_t max_halvings = 200'000 + 20 * triangles.size();
     for (std::size_t halvings = 0; !open_.empty() && halvings < max_halvings; ++halvings) {
-      if (halvings % 256 == 0) host_.report(phase, 0, 0);
+      if (halvings % 256 == 0) host_.report(hausdorff_distance_phase, 0, 0);
       if (!in_doubt(open_.top().bound)) break;
       halve(open_.pop());
     }
@@ -78,19 +78,20 @@ class OneWay {
         samples[v].near = 0;
     }
     constexpr std::size_t piece = 256;
-    base::parallel_pieces(host_, phase, positions.size(), piece, [&](std::size_t begin, std::size_t end) {
-      Index near = no_index;
-      for (std::size_t v = begin; v < end; ++v) {
-        if (samples[v].near == no_index) continue;
-        samples[v] = sample(positions[v], near);
-        near = samples[v].near;
-      }
-    });
+    base::parallel_pieces(host_, hausdorff_distance_phase, positions.size(), piece,
+                          [&](std::size_t begin, std::size_t end) {
+                            Index near = no_index;
+                            for (std::size_t v = begin; v < end; ++v) {
+                              if (samples[v].near == no_index) continue;
+                              samples[v] = sample(positions[v], near);
+                              near = samples[v].near;
+                            }
+                          });
     for (const Sample& s : samples)
       most_ = std::max(most_, s.distance);
     Array<Patch> doubtful(host_.memory);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (i % 4096 == 0) host_.report(phase, i, triangles.size());
+      if (i % 4096 == 0) host_.report(hausdorff_distance_phase, i, triangles.size());
       const mesh::Triangle& t = triangles[i];
       const std::array<Sample, 3> corners{samples[t[0]], samples[t[1]], samples[t[2]]};
       const double bound = bound_of(corners);

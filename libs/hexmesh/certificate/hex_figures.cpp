@@ -12,8 +12,6 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr std::size_t items_between_reports = 8192;
-
 // The boundary in triangles, each quad cut at its first vertex.
 Array<mesh::Triangle> boundary_of(const mesh::Mesh& cells, const base::Host& host) {
   Array<mesh::Triangle> result(host.memory);
@@ -54,7 +52,7 @@ HexFigures figures_of(std::span<const Vector3> positions, std::span<const Hexahe
 
   base::CompensatedSum solid_volume, surface_volume;
   for (std::size_t i = 0; i < hexahedra.size(); ++i) {
-    if (i % items_between_reports == 0) host.report("measurement", i, hexahedra.size());
+    if (i % base::items_between_reports == 0) host.report("measurement", i, hexahedra.size());
     const std::array<double, 27> coefficients = bezier_coefficients(cells.positions, hexahedra[i]);
     solid_volume.add(std::accumulate(coefficients.begin(), coefficients.end(), 0.0) / 27);
   }

@@ -9,10 +9,10 @@
 namespace orbicube::hexmesh {
 namespace {
 
-class OneWay {
+class SampledDistance {
  public:
-  OneWay(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-         const mesh::SurfaceSearch& other, double spacing, const base::Host& host)
+  SampledDistance(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                  const mesh::SurfaceSearch& other, double spacing, const base::Host& host)
       : positions_(positions), triangles_(triangles), other_(other), spacing_(spacing), host_(host) {}
 
   double largest() const {
@@ -93,8 +93,8 @@ double surface_distance(std::span<const Vector3> positions, std::span<const mesh
                         double spacing, const base::Host& host) {
   const mesh::SurfaceSearch search(positions, triangles, host);
   const mesh::SurfaceSearch other(other_positions, other_triangles, host);
-  return std::max(OneWay(positions, triangles, other, spacing, host).largest(),
-                  OneWay(other_positions, other_triangles, search, spacing, host).largest());
+  return std::max(SampledDistance(positions, triangles, other, spacing, host).largest(),
+                  SampledDistance(other_positions, other_triangles, search, spacing, host).largest());
 }
 
 }  // namespace orbicube::hexmesh

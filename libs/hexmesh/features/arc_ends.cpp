@@ -11,7 +11,6 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr double short_arc = 3.5;   // cells, as for the corners
 constexpr double impossible = 1e3;  // cost of an edge that an arc cannot have
 constexpr int max_raises = 8;       // of one corner, until it has an edge for each arc
 constexpr int max_tries = 4;        // to raise it further where its edges lead to other corners

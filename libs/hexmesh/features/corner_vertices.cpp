@@ -12,7 +12,6 @@ constexpr double missing_edge = 0.25;  // each: fewer edges than arcs
 constexpr double two_arcs_three_edges = 0.2;
 constexpr double wrong_direction = 0.3;  // of an arc at a right angle to the nearest edge
 constexpr int rings_apart = 2;
-constexpr double short_arc = 3.5;  // cells: corners that it joins may be closer
 
 class Placement {
  public:

@@ -10,6 +10,9 @@
 
 namespace orbicube::hexmesh {
 
+// Cells: corners that a shorter arc joins may be closer to each other than others.
+inline constexpr double short_arc = 3.5;
+
 struct Embedding {
   explicit Embedding(std::pmr::memory_resource* memory)
       : corner_vertices(memory), arc_ends(memory), fixed(memory), paths(memory), quad_patches(memory) {}

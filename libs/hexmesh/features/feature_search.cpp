@@ -15,9 +15,9 @@ constexpr std::size_t max_worst = 1000;  // of a pass
 constexpr int max_passes = 60, idle_passes = 6;
 constexpr double first_radius = 0.25, last_radius = 0.02, shrinking = 0.96;  // times the shortest edge
 
-class Search {
+class FeatureSearch {
  public:
-  Search(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host)
+  FeatureSearch(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host)
       : mesh_(mesh),
         targets_(targets),
         host_(host),
@@ -216,7 +216,7 @@ class Search {
 std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
                              const base::Host& host) {
   constexpr int steps = 10;
-  Search search(mesh, targets, bound, host);
+  FeatureSearch search(mesh, targets, bound, host);
   search.snap();
   smooth_inside(mesh, sizes, targets, steps, host);
   const std::size_t left = search.snap();
@@ -225,7 +225,7 @@ std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTarget
 }
 
 std::size_t free_folded_hexahedra(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host) {
-  return Search(mesh, targets, bound, host).free_folded();
+  return FeatureSearch(mesh, targets, bound, host).free_folded();
 }
 
 }  // namespace orbicube::hexmesh

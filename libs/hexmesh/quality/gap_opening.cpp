@@ -12,7 +12,7 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr const char* phase = "open gaps";
+constexpr const char* gap_opening_phase = "open gaps";
 
 class GapOpening {
  public:
@@ -28,7 +28,7 @@ class GapOpening {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     int waited = 0;
     for (int round = 0; round < max_rounds; ++round) {
-      host_.report(phase, static_cast<std::uint64_t>(round), max_rounds);
+      host_.report(gap_opening_phase, static_cast<std::uint64_t>(round), max_rounds);
       const std::size_t pairs = find_meetings();
       if (pairs == 0) return true;
       waited = pairs < fewest ? 0 : waited + 1;

@@ -8,7 +8,6 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr std::size_t hexahedra_between_reports = 4096;
 constexpr double padding_length = 0.6;  // across the layer at the boundary
 
 }  // namespace
@@ -34,7 +33,7 @@ void HexElements::for_tetrahedra(std::size_t hexahedron, const Body& body) {
 
 void HexElements::set_shapes(double own, std::size_t padding) {
   for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
-    if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
+    if (i % base::items_between_reports == 0) host_.report("smooth", 0, 0);
     const Hexahedron& h = mesh_.hexahedra[i];
     const bool padded = i + padding >= mesh_.hexahedra.size();
     std::array<double, 3> length;
@@ -53,7 +52,7 @@ void HexElements::set_shapes(double own, std::size_t padding) {
 void HexElements::set_weights(double max_weight) {
   constexpr double enough = 0.7;
   for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
-    if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
+    if (i % base::items_between_reports == 0) host_.report("smooth", 0, 0);
     for_tetrahedra(i, [&](const HexTetrahedron& t, Element& element) {
       const double ratio = enough / std::max(0.02, t.scaled_jacobian(mesh_.positions, element));
       element.weight = std::clamp(ratio * ratio * element.weight, 1.0, max_weight);
@@ -64,7 +63,7 @@ void HexElements::set_weights(double max_weight) {
 Array<Index> HexElements::find_twisted(double least) const {
   Array<Index> twisted(host_.memory);
   for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
-    if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
+    if (i % base::items_between_reports == 0) host_.report("smooth", 0, 0);
     if (edges_[i] == no_index && min_bezier(mesh_.positions, mesh_.hexahedra[i]) <= least) twisted.push_back(i);
   }
   return twisted;

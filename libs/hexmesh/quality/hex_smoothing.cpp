@@ -15,8 +15,6 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr std::size_t hexahedra_between_reports = 4096;
-
 class Smoothing {
  public:
   Smoothing(HexMesh& mesh, HexBoundary& boundary, const SurfaceTarget& target, const HexSmoothingOptions& options,
@@ -111,7 +109,7 @@ class Smoothing {
   double worst() const {
     double result = 1;
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
-      if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
+      if (i % base::items_between_reports == 0) host_.report("smooth", 0, 0);
       const Hexahedron& h = mesh_.hexahedra[i];
       const double least = min_bezier(mesh_.positions, h);
       result = std::min(result, least > 0 ? scaled_jacobian(mesh_.positions, h) : least);

@@ -25,7 +25,7 @@ namespace orbicube::hexmesh {
 namespace {
 
 // The boundary of the solid, with a chart for each patch of the map.
-polycube::SurfaceMap surface_of(const volume_map::FrameMap& map, const base::Host& host) {
+polycube::SurfaceMap surface_of_frame_map(const volume_map::FrameMap& map, const base::Host& host) {
   const mesh::TetrahedralConnectivity connectivity(map.solid.positions.size(), map.solid.tetrahedra, host);
   polycube::SurfaceMap surface(host.memory);
   Array<Index> number(map.solid.positions.size(), no_index, host.memory);
@@ -178,7 +178,7 @@ Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::siz
 // Hexahedra of the grid as it is, and fixed to the surface where that is not near enough. Returns their excess().
 double take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, const FrameHexOptions& options,
                    const base::Host& host) {
-  const polycube::SurfaceMap map = surface_of(grid.map, host);
+  const polycube::SurfaceMap map = surface_of_frame_map(grid.map, host);
   const PolycubeSurface surface = {map, options.fine_positions, options.fine_triangles};
   const TargetSurface target(surface);
   const double scale = std::cbrt(static_cast<double>(grid.mesh.hexahedra.size()) / volume);
@@ -286,7 +286,7 @@ FrameHexes make_hexahedra_by_frames(const volume_map::FramedSolid& solid, const 
     const double least = excess(best->result, options.distance);
     if (least <= 1 || !refinement.next(far, least)) break;
   }
-  const polycube::SurfaceMap map = surface_of(best->map, host);
+  const polycube::SurfaceMap map = surface_of_frame_map(best->map, host);
   complete(best->result, {map, options.fine_positions, options.fine_triangles}, host);
   return std::move(*best);
 }

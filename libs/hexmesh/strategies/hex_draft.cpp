@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/counted.h"
+#include "base/infinity.h"
 #include "hexmesh/certificate/hex_embedding.h"
 #include "hexmesh/certificate/surface_distance.h"
 #include "hexmesh/quality/gap_opening.h"
@@ -34,8 +34,7 @@ HexMesh copy_of(const HexMesh& mesh, const base::Host& host) {
 TargetSurface::TargetSurface(const PolycubeSurface& solid)
     : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
       triangles(solid.fine_triangles.empty() ? solid.map.triangles : solid.fine_triangles) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector3 low = Vector3::Constant(infinity), high = -low;
+  Vector3 low = Vector3::Constant(base::infinity), high = -low;
   for (const mesh::Triangle& t : triangles) {
     for (const Index v : t) {
       low = low.cwiseMin(positions[v]);

@@ -58,7 +58,7 @@ class Mesher {
   // Hexahedra of all meshes together.
   std::size_t affordable() const {
     constexpr std::size_t most = 40;       // of the option `cells`: some ten meshes of that number, and a few of more
-    constexpr std::size_t cheap = 40'000;  // take about half a minute
+    constexpr std::size_t cheap = 20'000;  // take about twenty seconds
     return std::max(most * options_.cells, cheap);
   }
   bool half_spent() const { return 2 * drafted_ > affordable(); }

@@ -15,7 +15,7 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr const char* phase = "pieces";
+constexpr const char* hex_pieces_phase = "pieces";
 
 // A further piece, in its place; the next piece's patches are numbered from `first_patch` on.
 void add(const HexResult& piece, HexResult& all, Index& first_patch) {
@@ -52,7 +52,7 @@ struct Original {
   double volume = 0;
 
   Original(const PolycubeSurface& piece, const base::Host& host) : positions(host.memory) {
-    host.report(phase, 0, 0);
+    host.report(hex_pieces_phase, 0, 0);
     const TargetSurface target(piece);
     triangles = target.triangles;
     for (const Vector3& p : target.positions)

@@ -10,7 +10,6 @@ namespace orbicube::linear {
 namespace {
 
 constexpr std::size_t aggregate_size = 8;
-constexpr std::size_t rows_between_reports = 16384;
 constexpr double weak = 0.1;  // of the strongest coupling of an aggregate's first row
 
 // The neighbors of each row and how strongly they are coupled to it, relative to the diagonal, so that contrasts of the
@@ -36,7 +35,7 @@ struct Couplings {
   template <int block, class Visit>
   static void for_each_coupling(const BlockMatrix<block>& m, const base::Host& host, const Visit& visit) {
     for (Index v = 0; v < m.rows(); ++v) {
-      if (v % rows_between_reports == 0) host.report("solve", 0, 0);
+      if (v % base::items_between_reports == 0) host.report("solve", 0, 0);
       for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i) {
         const Index w = m.column[i];
         const double size = std::sqrt(m.diagonal[v].trace() * m.diagonal[w].trace());
@@ -136,7 +135,7 @@ std::size_t make_aggregates(const BlockMatrix<block>& matrix, Array<Index>& aggr
   Aggregation aggregation(couplings, matrix.own, aggregate, host);
   std::size_t count = 0;
   for (Index seed = 0; seed < matrix.rows(); ++seed) {
-    if (seed % rows_between_reports == 0) host.report("solve", 0, 0);
+    if (seed % base::items_between_reports == 0) host.report("solve", 0, 0);
     if (!aggregation.is_free(seed)) continue;
     const auto number = static_cast<Index>(count);
     Index added = seed;

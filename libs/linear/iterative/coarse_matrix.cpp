@@ -6,8 +6,6 @@
 namespace orbicube::linear {
 namespace {
 
-constexpr std::size_t rows_between_reports = 16384;
-
 Index find(const Array<Index>& begin, const Array<Index>& columns, Index row, Index column) {
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin[row]);
   const auto last = columns.begin() + static_cast<std::ptrdiff_t>(begin[row + 1]);
@@ -19,7 +17,7 @@ template <int block>
 void make_pattern(const BlockMatrix<block>& m, const Array<Index>& to, Array<std::pair<Index, Index>>& places,
                   BlockMatrix<block>& coarse, const base::Host& host) {
   for (std::size_t v = 0; v < m.rows(); ++v) {
-    if (v % rows_between_reports == 0) host.report("solve", 0, 0);
+    if (v % base::items_between_reports == 0) host.report("solve", 0, 0);
     for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i) {
       const Index a = to[v], b = to[m.column[i]];
       if (a != b && a != no_index && b != no_index) places.push_back({std::max(a, b), std::min(a, b)});
@@ -37,7 +35,7 @@ void add_blocks(const BlockMatrix<block>& m, const Array<Index>& to, BlockMatrix
   coarse.lower.assign(coarse.column.size(), Block::Zero());
   coarse.diagonal.assign(coarse.own.size(), Block::Zero());
   for (std::size_t v = 0; v < m.rows(); ++v) {
-    if (v % rows_between_reports == 0) host.report("solve", 0, 0);
+    if (v % base::items_between_reports == 0) host.report("solve", 0, 0);
     const Index a = to[v];
     if (a == no_index) continue;
     for (Eigen::Index r = 0; r < block; ++r) {

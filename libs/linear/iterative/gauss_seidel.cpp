@@ -10,7 +10,7 @@ namespace orbicube::linear {
 namespace {
 
 // Rows between two reports: some milliseconds.
-constexpr std::size_t slab = 16384;
+constexpr std::size_t rows_at_once = 16384;
 
 template <int block>
 Eigen::Map<Eigen::Matrix<double, block, 1>> entry_of(std::span<double> x, std::size_t row) {
@@ -48,7 +48,7 @@ template <int block>
 void GaussSeidel<block>::forward(std::span<double> x) const {
   const Matrix& m = *matrix_;
   for (std::size_t v = 0; v < m.rows(); ++v) {
-    if (v % slab == 0) host_.report("solve", 0, 0);
+    if (v % rows_at_once == 0) host_.report("solve", 0, 0);
     Entry sum = entry_of<block>(x, v);
     for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
       sum.noalias() -= m.lower[i] * entry_of<block>(x, m.column[i]);
@@ -78,7 +78,7 @@ void GaussSeidel<block>::backward(std::span<double> x) const {
       entry_of<block>(x, m.border_column[i]) -= here * m.border[i];
   }
   for (std::size_t v = m.rows(); v-- > 0;) {
-    if (v % slab == 0) host_.report("solve", 0, 0);
+    if (v % rows_at_once == 0) host_.report("solve", 0, 0);
     const Entry here = inverse_[v] * entry_of<block>(x, v);
     entry_of<block>(x, v) = here;
     for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
@@ -91,7 +91,7 @@ template <int block>
 inline void GaussSeidel<block>::sweep_row(std::size_t v, std::span<const double> right, std::span<double> x,
                                           std::span<double> sums) const {
   const Matrix& m = *matrix_;
-  if (v % slab == 0) host_.report("solve", 0, 0);
+  if (v % rows_at_once == 0) host_.report("solve", 0, 0);
   Entry sum = entry_of<block>(right, v);
   for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
     sum.noalias() -= m.lower[i] * entry_of<block>(x, m.column[i]);

@@ -17,7 +17,7 @@ namespace orbicube::mesh {
 namespace {
 
 constexpr int max_roots = 6;
-constexpr const char* phase = "handles";
+constexpr const char* handle_place_phase = "handles";
 
 struct Link {
   Index to, edge;
@@ -85,7 +85,7 @@ class Curves {
     distance_[root] = 0;
     queue.push({0, root});
     for (std::size_t popped = 0; !queue.empty(); ++popped) {
-      if (popped % 4096 == 0) host_.report(phase, std::min(popped, distance_.size()), distance_.size());
+      if (popped % 4096 == 0) host_.report(handle_place_phase, std::min(popped, distance_.size()), distance_.size());
       const auto [d, v] = queue.pop();
       if (d > distance_[v]) continue;
       for (const auto& [to, e] : links_[v]) {

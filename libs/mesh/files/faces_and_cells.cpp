@@ -4,14 +4,12 @@
 #include <charconv>
 #include <limits>
 
+#include "mesh/regions/region_numbers.h"
+
 namespace orbicube::mesh {
 namespace {
 
 using Limits = std::numeric_limits<std::int32_t>;
-
-void clear_if_zero(Array<std::int32_t>& regions) {
-  if (std::ranges::all_of(regions, [](std::int32_t region) { return region == 0; })) regions.clear();
-}
 
 // Appends each number as many times as its item became others.
 template <class Count>

@@ -12,8 +12,7 @@
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "cutting cells";
-constexpr std::size_t items_between_reports = 4096;
+constexpr const char* polyhedral_cells_phase = "cutting cells";
 
 struct KindRow {
   std::size_t corners;
@@ -22,14 +21,14 @@ struct KindRow {
   const char* many;
 };
 // In the order of Polyhedron.
-constexpr std::array<KindRow, 5> rows = {{{5, 4, "pyramid", "pyramids"},
-                                          {6, 3, "prism", "prisms"},
-                                          {10, 5, "pentagonal prism", "pentagonal prisms"},
-                                          {12, 6, "hexagonal prism", "hexagonal prisms"},
-                                          {8, 4, "hexahedron", "hexahedra"}}};
+constexpr std::array<KindRow, 5> kind_rows = {{{5, 4, "pyramid", "pyramids"},
+                                               {6, 3, "prism", "prisms"},
+                                               {10, 5, "pentagonal prism", "pentagonal prisms"},
+                                               {12, 6, "hexagonal prism", "hexagonal prisms"},
+                                               {8, 4, "hexahedron", "hexahedra"}}};
 
 const KindRow& row_of(Polyhedron kind) {
-  return rows[static_cast<std::size_t>(kind)];
+  return kind_rows[static_cast<std::size_t>(kind)];
 }
 
 // The faces of one cell as triangles that look out of it.
@@ -117,11 +116,11 @@ bool cut_around_center(const CellCutter& cutter, std::span<const Index> corners,
 }
 
 // "2 pyramids, 1 prism".
-std::string text_of_counts(std::span<const std::size_t, rows.size()> cells) {
+std::string text_of_counts(std::span<const std::size_t, kind_rows.size()> cells) {
   std::string text;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
+  for (std::size_t k = 0; k < kind_rows.size(); ++k) {
     if (cells[k] == 0) continue;
-    text.append(text.empty() ? "" : ", ").append(base::counted(cells[k], rows[k].one, rows[k].many));
+    text.append(text.empty() ? "" : ", ").append(base::counted(cells[k], kind_rows[k].one, kind_rows[k].many));
   }
   return text;
 }
@@ -147,7 +146,7 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
   const auto for_each_cell = [&](const auto& visit) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
-      if (i % items_between_reports == 0) host.report(phase, i, kinds_.size());
+      if (i % base::items_between_reports == 0) host.report(polyhedral_cells_phase, i, kinds_.size());
       const std::size_t corners = corner_count(kinds_[i]);
       cutter.set(kinds_[i], {corners_.data() + begin, corners});
       made.clear();
@@ -156,7 +155,7 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
       begin += corners;
     }
   };
-  std::array<std::size_t, rows.size()> cells{}, right{}, inverted{};
+  std::array<std::size_t, kind_rows.size()> cells{}, right{}, inverted{};
   for_each_cell([&](Polyhedron kind, std::span<const Index>) {
     const auto k = static_cast<std::size_t>(kind);
     const auto [positive, negative] = signs_of(mesh.positions, made);

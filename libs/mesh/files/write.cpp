@@ -17,21 +17,20 @@ void check_regions(std::size_t items, std::size_t regions, const char* one, cons
 }
 
 void check(Format format, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
-  constexpr std::size_t items_between_reports = 65536;
   const bool has_cells = !mesh.tetrahedra.empty() || !mesh.hexahedra.empty() || !options.quads.empty();
   if (has_cells && !holds(format, Holds::cells)) {
     throw base::Error("unsupported", std::string(row_of(format).name) + " files hold surfaces only; " +
                                          format_endings(Holds::cells) + " hold tetrahedra and hexahedra");
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (v % items_between_reports == 0) host.report("checking", v, mesh.positions.size());
+    if (v % base::items_between_reports == 0) host.report("checking", v, mesh.positions.size());
     if (!mesh.positions[v].allFinite()) {
       throw base::Error("non-finite", "the position of vertex " + std::to_string(v) + " is not finite");
     }
   }
   const auto check_indices = [&](const auto& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (i % items_between_reports == 0) host.report("checking", i, cells.size());
+      if (i % base::items_between_reports == 0) host.report("checking", i, cells.size());
       for (const Index v : cells[i]) {
         if (v >= mesh.positions.size()) {
           throw base::Error("invalid-argument",

@@ -289,7 +289,7 @@ class PlyReader {
 };
 
 // The text part of the file, that is its header when the body is binary.
-std::span<const std::byte> text_of(std::span<const std::byte> bytes) {
+std::span<const std::byte> text_part(std::span<const std::byte> bytes) {
   const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::size_t format = all.find("\nformat ascii");
   const std::size_t end = all.find("\nend_header");
@@ -301,7 +301,7 @@ std::span<const std::byte> text_of(std::span<const std::byte> bytes) {
 }  // namespace
 
 Mesh read_ply(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
-  const auto text = text_of(bytes);
+  const auto text = text_part(bytes);
   TextScanner scanner(text, 0, host);
   const PlyHeader header = read_ply_header(scanner);
   if (header.form == PlyForm::ascii) {

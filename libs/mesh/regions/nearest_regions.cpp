@@ -5,29 +5,24 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/regions/region_numbers.h"
 #include "mesh/search/bounding_volume_tree.h"
 #include "mesh/search/nearest.h"
+#include "mesh/topology/cells.h"
 
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "regions";
-constexpr std::size_t items_between_reports = 1024;
+constexpr const char* nearest_regions_phase = "regions";
+constexpr std::size_t searches_between_reports = 1024;
 constexpr double min_cosine = 0.5;  // between normals
 // Of the distance to the nearest triangle of all, and of the width of the face: how much farther another one may be.
 constexpr double farther = 2, farther_by_width = 0.25;
-
-constexpr std::array<std::array<std::uint8_t, 4>, 6> hexahedron_faces = {
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 Vector3 normal_of(const Mesh& from, Index t) {
   const Triangle& c = from.triangles[t];
   const Vector3& a = from.positions[c[0]];
   return (from.positions[c[1]] - a).cross(from.positions[c[2]] - a);
-}
-
-void clear_if_zero(Array<std::int32_t>& regions) {
-  if (std::ranges::all_of(regions, [](std::int32_t region) { return region == 0; })) regions.clear();
 }
 
 // Tetrahedra and hexahedra, the latter behind the former.
@@ -100,7 +95,7 @@ Array<std::int32_t> nearest_face_regions(const Mesh& from, std::span<const FaceP
   const SurfaceSearch search(from.positions, from.triangles, host);
   result.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, faces.size());
+    if (i % searches_between_reports == 0) host.report(nearest_regions_phase, i, faces.size());
     const Vector3 &center = faces[i].center, &area = faces[i].area;
     SurfacePoint found = search.nearest(center);
     const auto agrees = [&](Index t) {
@@ -130,7 +125,7 @@ Array<std::int32_t> nearest_cell_regions(const Mesh& from, std::span<const Vecto
     return regions.empty() ? 0 : regions[first ? cell : cell - tetrahedra];
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, points.size());
+    if (i % searches_between_reports == 0) host.report(nearest_regions_phase, i, points.size());
     const Index cell = search.nearest(points[i]);
     result.push_back(cell == no_index ? 0 : region_of(cell));
   }

@@ -1,4 +1,4 @@
-// The numbers of regions that occur in a mesh.
+// The numbers of the regions of a mesh.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,11 @@
 #include "mesh/mesh.h"
 
 namespace orbicube::mesh {
+
+// No numbers instead of none but 0.
+inline void clear_if_zero(Array<std::int32_t>& regions) {
+  if (std::ranges::all_of(regions, [](std::int32_t region) { return region == 0; })) regions.clear();
+}
 
 // Returns the different numbers in ascending order, without 0, which is no region. O(n log n).
 inline Array<std::int32_t> distinct_regions(std::span<const std::int32_t> regions, std::pmr::memory_resource* memory) {

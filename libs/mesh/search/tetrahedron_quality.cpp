@@ -14,8 +14,7 @@
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "measuring tetrahedra";
-constexpr std::size_t items_between_reports = 8192;
+constexpr const char* tetrahedron_quality_phase = "measuring tetrahedra";
 
 template <std::size_t bins>
 void count(std::array<std::size_t, bins>& histogram, double value, double width) {
@@ -76,7 +75,7 @@ TetrahedronQuality tetrahedron_quality(std::span<const Vector3> positions, std::
   result.max_volume = -infinity;
   base::CompensatedSum volumes, min_angles, ratios, radius_edges;
   for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, tetrahedra.size());
+    if (i % base::items_between_reports == 0) host.report(tetrahedron_quality_phase, i, tetrahedra.size());
     const Tetrahedron& t = tetrahedra[i];
     if (std::ranges::max(t) >= positions.size()) {
       throw base::Error("index-range", "tetrahedron " + std::to_string(i) + " has vertex " +

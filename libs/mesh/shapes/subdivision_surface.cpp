@@ -7,8 +7,7 @@
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "making the shape";
-constexpr Index items_between_reports = 65536;
+constexpr const char* subdivision_surface_phase = "making the shape";
 
 // The four points from which a value between them is interpolated, and their weights (Lagrange).
 struct Stencil {
@@ -56,7 +55,7 @@ void SubdivisionSurface::refine(const base::Host& host) {
 
   const auto for_half_edges = [&](const auto& body) {
     for (Index h = 0; h < half_edges; ++h) {
-      if (h % items_between_reports == 0) host.report(phase, 0, 0);
+      if (h % base::items_between_reports == 0) host.report(subdivision_surface_phase, 0, 0);
       body(h);
     }
   };
@@ -143,7 +142,7 @@ std::vector<double> SubdivisionSurface::side_lengths(const base::Host& host) {
   std::vector<double> lengths;
   const std::size_t quads = vertex_.size() / 4 / (cells_ * cells_);
   for (std::size_t q = 0; q < quads; ++q) {
-    host.report(phase, q, quads);
+    host.report(subdivision_surface_phase, q, quads);
     select(q);
     for (std::size_t side = 0; side < 4; ++side) {
       double sum = 0;

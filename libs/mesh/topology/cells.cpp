@@ -15,16 +15,13 @@
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "checking cells";
-constexpr std::size_t items_between_reports = 8192;
+constexpr const char* cell_phase = "checking cells";
 
 // The three neighbors of each corner of a hexahedron, so that their edges have a positive determinant in a cube.
 constexpr std::array<std::array<std::size_t, 3>, 8> corner_neighbors = {
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
 constexpr std::array<std::array<std::size_t, 3>, 4> tetrahedron_faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-constexpr std::array<std::array<std::size_t, 4>, 6> hexahedron_faces = {
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 const char* name(const Tetrahedron&) {
   return "tetrahedron";
@@ -74,14 +71,14 @@ Array<Entry<size>> sorted_by_key(std::size_t count, std::size_t vertex_count, co
       std::span(begin),
       [&](const auto& visit) {
         for (std::size_t i = 0; i < count; ++i) {
-          if (i % items_between_reports == 0) host.report(phase, i, 0);
+          if (i % base::items_between_reports == 0) host.report(cell_phase, i, 0);
           const Key<size> key = key_of(i);
           visit(key[0], Entry<size>{key, static_cast<Index>(i)});
         }
       },
       [](Index) {}, [&](Index at, const Entry<size>& entry) { entries[at] = entry; });
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    if (v % items_between_reports == 0) host.report(phase, v, 0);
+    if (v % base::items_between_reports == 0) host.report(cell_phase, v, 0);
     std::sort(entries.begin() + begin[v], entries.begin() + begin[v + 1]);
   }
   return entries;
@@ -143,7 +140,7 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
   check_indices(positions.size(), cells);
   Defect repeated, flat, inverted;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, cells.size());
+    if (i % base::items_between_reports == 0) host.report(cell_phase, i, cells.size());
     const Cell vertices = sorted(cells[i]);
     const bool repeats = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
     const int sign = repeats ? 0 : orientation(positions, cells[i]);
@@ -222,7 +219,7 @@ void glue(Boundary& boundary, std::span<const Vector3> positions, const base::Ho
   Array<Key<4>> left(host.memory);
   Defect apart;
   for (std::size_t i = 0; i < boundary.quadrilaterals.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, boundary.quadrilaterals.size());
+    if (i % base::items_between_reports == 0) host.report(cell_phase, i, boundary.quadrilaterals.size());
     const Key<4>& q = boundary.quadrilaterals[i];
     std::array<Index, 4> found{};
     std::size_t count = 0;
@@ -303,7 +300,7 @@ template <class Cell, class Sign>
 bool all_inverted(std::span<const Cell> cells, const Sign& sign, const base::Host& host) {
   bool inverted = false;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, cells.size());
+    if (i % base::items_between_reports == 0) host.report(cell_phase, i, cells.size());
     const int s = sign(cells[i]);
     if (s > 0) return false;
     inverted = inverted || s < 0;

@@ -6,6 +6,10 @@
 
 namespace orbicube::mesh {
 
+// The corners of each face of a hexahedron, counter-clockwise seen from outside.
+inline constexpr std::array<std::array<std::size_t, 4>, 6> hexahedron_faces = {
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
 // Throws Error unless the cells fill a solid, with the number of such places and the first of them:
 // - "index-range": a vertex that does not exist;
 // - "degenerate-cell": a repeated vertex, a tetrahedron of volume 0, a hexahedron with a corner whose three edges lie

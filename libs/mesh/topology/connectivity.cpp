@@ -10,7 +10,6 @@ Connectivity::Connectivity(std::size_t vertex_count, std::span<const Triangle> t
     : triangles_(triangles),
       opposite_(3 * triangles.size(), no_index, host.memory),
       outgoing_(vertex_count, no_index, host.memory) {
-  constexpr std::size_t items_between_reports = 65536;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (has_repeated_corner(triangles[t]))
       throw base::Error("degenerate-face", "face " + std::to_string(t) + " has a repeated vertex");
@@ -18,7 +17,7 @@ Connectivity::Connectivity(std::size_t vertex_count, std::span<const Triangle> t
   {
     const EdgeTable edges(vertex_count, triangles, host);
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (e % items_between_reports == 0) host.report("joining half-edges", e, edges.size());
+      if (e % base::items_between_reports == 0) host.report("joining half-edges", e, edges.size());
       const auto h = edges.half_edges(e);
       if (h.size() == 1) continue;
       const auto place = [&] { return "edge " + std::to_string(start(h[0])) + "-" + std::to_string(end(h[0])); };
@@ -39,7 +38,7 @@ Connectivity::Connectivity(std::size_t vertex_count, std::span<const Triangle> t
   }
   // A fan that does not have all the faces of its vertex is not the only one.
   for (Index v = 0; v < vertex_count; ++v) {
-    if (v % items_between_reports == 0) host.report("walking round vertices", v, vertex_count);
+    if (v % base::items_between_reports == 0) host.report("walking round vertices", v, vertex_count);
     Index seen = 0;
     for_each_outgoing(v, [&](Index) { ++seen; });
     if (seen != faces_at[v]) {

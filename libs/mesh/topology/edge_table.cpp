@@ -9,7 +9,6 @@ namespace orbicube::mesh {
 
 EdgeTable::EdgeTable(std::size_t vertex_count, std::span<const Triangle> triangles, const base::Host& host)
     : half_edges_(host.memory), edge_begin_(host.memory) {
-  constexpr std::size_t items_between_reports = 65536;
   if (triangles.size() > no_index / 3)
     throw base::Error("unsupported", "more triangles than 32-bit half-edges can count");
   struct Entry {
@@ -21,7 +20,7 @@ EdgeTable::EdgeTable(std::size_t vertex_count, std::span<const Triangle> triangl
   // A counting sort by the lower vertex, then a sort of the few that share it by the higher one.
   const auto for_each_half_edge = [&](const auto& visit) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      if (t % items_between_reports == 0) host.report("sorting edges", t, triangles.size());
+      if (t % base::items_between_reports == 0) host.report("sorting edges", t, triangles.size());
       if (has_repeated_corner(triangles[t])) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
@@ -33,7 +32,7 @@ EdgeTable::EdgeTable(std::size_t vertex_count, std::span<const Triangle> triangl
   half_edges_.reserve(by_lower.all().size());
   edge_begin_.reserve(by_lower.all().size() / 2 + 1);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    if (v % items_between_reports == 0) host.report("sorting edges", v, vertex_count);
+    if (v % base::items_between_reports == 0) host.report("sorting edges", v, vertex_count);
     const std::span<Entry> entries = by_lower[v];
     std::sort(entries.begin(), entries.end());
     for (std::size_t i = 0; i < entries.size(); ++i) {

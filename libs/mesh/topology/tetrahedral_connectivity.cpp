@@ -9,8 +9,7 @@
 namespace orbicube::mesh {
 namespace {
 
-constexpr const char* phase = "joining tetrahedra";
-constexpr std::size_t items_between_reports = 16384;
+constexpr const char* tetrahedral_connectivity_phase = "joining tetrahedra";
 
 std::string place(const Triangle& face) {
   return "face " + std::to_string(face[0]) + "-" + std::to_string(face[1]) + "-" + std::to_string(face[2]);
@@ -28,7 +27,7 @@ constexpr auto edge_number = [] {
 
 void require_distinct_corners(std::span<const Tetrahedron> tetrahedra, const base::Host& host) {
   for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
-    if (t % items_between_reports == 0) host.report(phase, t, tetrahedra.size());
+    if (t % base::items_between_reports == 0) host.report(tetrahedral_connectivity_phase, t, tetrahedra.size());
     Tetrahedron sorted = tetrahedra[t];
     std::ranges::sort(sorted);
     if (std::ranges::adjacent_find(sorted) != sorted.end())
@@ -53,7 +52,7 @@ TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::
   const auto lowest = [&](Index face) { return std::ranges::min(vertices(face)); };
   const auto for_each_face = [&](const auto& visit) {
     for (Index f = 0; f < face_count; ++f) {
-      if (f % items_between_reports == 0) host.report(phase, f / 4, tetrahedra.size());
+      if (f % base::items_between_reports == 0) host.report(tetrahedral_connectivity_phase, f / 4, tetrahedra.size());
       visit(lowest(f), f);
     }
   };
@@ -65,7 +64,7 @@ TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::
   };
   Array<Entry> entries(host.memory);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    if (v % items_between_reports == 0) host.report(phase, v, vertex_count);
+    if (v % base::items_between_reports == 0) host.report(tetrahedral_connectivity_phase, v, vertex_count);
     entries.clear();
     for (const Index f : by_lowest[v]) {
       Triangle face = vertices(f);
@@ -113,7 +112,7 @@ EdgeRings::EdgeRings(const TetrahedralConnectivity& connectivity, const base::Ho
   faces_.reserve(6 * tetrahedra.size());
   begin_.push_back(0);
   for (Index t = 0; t < tetrahedra.size(); ++t) {
-    if (t % items_between_reports == 0) host.report("edges of tetrahedra", t, tetrahedra.size());
+    if (t % base::items_between_reports == 0) host.report("edges of tetrahedra", t, tetrahedra.size());
     for (std::size_t e = 0; e < 6; ++e) {
       if ((seen[t] >> e & 1) != 0) continue;
       const Edge edge{tetrahedra[t][edge_corners[e].start], tetrahedra[t][edge_corners[e].end]};

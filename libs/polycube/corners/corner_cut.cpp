@@ -6,19 +6,17 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/search/planar.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr double quarter = 0.5 * std::numbers::pi;
+using mesh::cross;
+
 // A vertex that is as near to a ray, in parts of its shortest edge, goes onto it if its triangles keep such a part of
 // their areas.
-constexpr double snapping = 0.2, min_area = 0.3;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+constexpr double snapping = 0.2, min_part_of_area = 0.3;
 
 class RegionCut {
  public:
@@ -109,7 +107,7 @@ class RegionCut {
             if (a == move_.apex() || !known_[a] || known_[b]) continue;
             const int turn_a = move_.turn(i, from), turn_b = move_.turn(i, to);
             const Vector2d p = turned_by(move_.position(a), turn_a), q = turned_by(move_.position(b), turn_b);
-            angles[b] = angles[a] + (turn_a - turn_b) * quarter + std::atan2(cross(p, q), p.dot(q));
+            angles[b] = angles[a] + (turn_a - turn_b) * quarter_turn + std::atan2(cross(p, q), p.dot(q));
             known_[b] = 1;
             --left;
             changed = true;
@@ -144,7 +142,7 @@ class RegionCut {
       if (result.angle[c] <= result.angle[b]) turn(c, 1);
       return true;
     }
-    double least = 2 * quarter;
+    double least = 2 * quarter_turn;
     std::array<int, 2> best{};
     for (const int second : {0, -1, 1}) {
       for (const int third : {0, -1, 1}) {
@@ -159,7 +157,7 @@ class RegionCut {
     }
     turn(1, best[0]);
     turn(2, best[1]);
-    return least < 2 * quarter;
+    return least < 2 * quarter_turn;
   }
 
   double area(Index face) const {
@@ -182,7 +180,7 @@ class RegionCut {
         const bool at_end = sector.begin == 0 && angle_[v] > 0.5 * whole_;
         const int ray = at_end ? region_.quarters : sector.begin;
         const Vector2d p = turned_by(cone_[v], -ray);
-        if (!(std::abs(angle_[v] - ray * quarter) < quarter) || !(p.x() > 0) || p.y() == 0 ||
+        if (!(std::abs(angle_[v] - ray * quarter_turn) < quarter_turn) || !(p.x() > 0) || p.y() == 0 ||
             std::abs(p.y()) > snapping * shortest)
           continue;
         const Vector2d before = cone_[v];
@@ -191,10 +189,10 @@ class RegionCut {
         old_areas_.clear();
         surface_.for_each_outgoing(v, [&](Index h) { old_areas_.push_back(area(h / 3)); });
         cone_[v] = turned_by({p.x(), 0}, sector.begin);
-        angle_[v] = sector.begin * quarter;
+        angle_[v] = sector.begin * quarter_turn;
         std::size_t i = 0;
         surface_.for_each_outgoing(v, [&](Index h) { worst = std::min(worst, area(h / 3) / old_areas_[i++]); });
-        if (worst > min_area) break;
+        if (worst > min_part_of_area) break;
         cone_[v] = before;
         angle_[v] = angle_before;
       }
@@ -206,8 +204,8 @@ class RegionCut {
     for (const Index v : moved_) {
       for (const CornerSector& sector : region_.sectors) {
         const Vector2d p = turned_by(cone_[v], -sector.begin);
-        if (p.y() == 0 && p.x() > 0 && std::abs(angle_[v] - sector.begin * quarter) < quarter)
-          angle_[v] = sector.begin * quarter;
+        if (p.y() == 0 && p.x() > 0 && std::abs(angle_[v] - sector.begin * quarter_turn) < quarter_turn)
+          angle_[v] = sector.begin * quarter_turn;
       }
     }
     member_.assign(surface_.faces(), 0);
@@ -227,7 +225,7 @@ class RegionCut {
             for (int turns = -1; turns <= 1 && !crossed; ++turns) {
               const int ray = region_.sectors[s].begin + turns * region_.quarters;
               const auto [low, high] = std::minmax(u.angle[k], u.angle[n]);
-              if (ray * quarter < low - 1e-9 || ray * quarter > high + 1e-9) continue;
+              if (ray * quarter_turn < low - 1e-9 || ray * quarter_turn > high + 1e-9) continue;
               const Vector2d a = turned_by(u.at[k], -ray), b = turned_by(u.at[n], -ray);
               if (!((a.y() < 0 && b.y() > 0) || (a.y() > 0 && b.y() < 0))) continue;
               const double part = a.y() / (a.y() - b.y());
@@ -237,7 +235,7 @@ class RegionCut {
               if (!member_[surface_.opposite(h) / 3]) return false;
               const Index m = surface_.split_edge(h, part);
               cone_.push_back(turned_by({along, 0}, region_.sectors[s].begin));
-              angle_.push_back(region_.sectors[s].begin * quarter);
+              angle_.push_back(region_.sectors[s].begin * quarter_turn);
               moved_.push_back(m);
               for (Index added = static_cast<Index>(member_.size()); added < surface_.faces(); ++added) {
                 member_.push_back(1);
@@ -255,7 +253,7 @@ class RegionCut {
   const CornerSector& sector_at(double angle) const {
     angle = normalized(angle);
     for (const CornerSector& sector : region_.sectors)
-      if (angle < (sector.begin + sector.quarters) * quarter) return sector;
+      if (angle < (sector.begin + sector.quarters) * quarter_turn) return sector;
     return region_.sectors.front();
   }
 

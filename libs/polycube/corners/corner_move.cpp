@@ -6,18 +6,17 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/infinity.h"
+#include "mesh/search/planar.h"
 #include "polycube/corners/corner_newton.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using mesh::cross;
+
 // A point with less of a corner's weight lies on the edge opposite to it.
 constexpr double min_weight = 0.1;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // The disk is taken to itself, r to the origin: along each segment from r to the circle in proportion.
 Vector2d recentred(const Vector2d& p, const Vector2d& r) {
@@ -63,16 +62,16 @@ CornerMove::CornerMove(const CornerRegion& region, double whole_area, const Corn
 }
 
 double CornerMove::evaluate(const Vector2d& at, Vector2d* gradient) {
-  if (!(at.norm() < 1) || !locate(region_.flat, at, min_weight)) return infinity;
-  if (!split()) return infinity;
+  if (!(at.norm() < 1) || !locate(region_.flat, at, min_weight)) return base::infinity;
+  if (!split()) return base::infinity;
   number(apex_);
   start(apex_flat_);
-  if (!wind()) return infinity;
+  if (!wind()) return base::infinity;
   fill();
   const std::size_t free = 2 * (region_.inside - (added() ? 0 : 1));
   if (free == 0) return planar_.energy(value_, options_.area_weight);
   untangle::PlanarNewton newton(planar_, free, corner_newton, host_);
-  if (!newton.untangle(value_, corner_schedule(options_.untangling_steps, options_.area_weight))) return infinity;
+  if (!newton.untangle(value_, corner_schedule(options_.untangling_steps, options_.area_weight))) return base::infinity;
   newton.polish(value_, options_.steps, options_.min_gain, options_.area_weight);
   const double energy = planar_.energy(value_, options_.area_weight);
   if (gradient != nullptr) *gradient = slope();
@@ -90,7 +89,7 @@ double CornerMove::relax() {
     value_[2 * slot_[v] + 1] = region_.cone[v].y();
   }
   fill();
-  if (!std::isfinite(planar_.energy(value_, options_.area_weight))) return infinity;
+  if (!std::isfinite(planar_.energy(value_, options_.area_weight))) return base::infinity;
   untangle::PlanarNewton(planar_, 2 * region_.inside, corner_newton, host_)
       .polish(value_, options_.steps, options_.min_gain, options_.area_weight);
   const double energy = planar_.energy(value_, options_.area_weight);
@@ -99,7 +98,7 @@ double CornerMove::relax() {
     relaxed_.push_back(position(v));
   // A vertex at the origin, where the map does not change by it, or one that is there but for rounding.
   constexpr double rounding = 1e-9;
-  if (!locate(relaxed_, Vector2d::Zero(), rounding) || !split()) return infinity;
+  if (!locate(relaxed_, Vector2d::Zero(), rounding) || !split()) return base::infinity;
   number(apex_);
   for (Index v = 0; v < relaxed_.size(); ++v) {
     if (v == apex_) continue;
@@ -108,7 +107,7 @@ double CornerMove::relax() {
     value_[2 * slot_[v]] = relaxed_[v].x();
     value_[2 * slot_[v] + 1] = relaxed_[v].y();
   }
-  return wind() ? energy : infinity;
+  return wind() ? energy : base::infinity;
 }
 
 bool CornerMove::locate(std::span<const Vector2d> points, const Vector2d& at, double least) {

@@ -8,11 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/infinity.h"
+
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "corners";
-constexpr double quarter = 0.5 * std::numbers::pi;
+constexpr const char* corner_region_phase = "corners";
 
 // Coordinates in the plane of a face, seen from outside.
 Vector2d in_face(AxisLabel label, const Vector3& p) {
@@ -22,7 +23,7 @@ Vector2d in_face(AxisLabel label, const Vector3& p) {
 
 double angle_of(const Vector2d& p) {
   const double a = std::atan2(p.y(), p.x());
-  return a < 0 ? a + 4 * quarter : a;
+  return a < 0 ? a + 4 * quarter_turn : a;
 }
 
 bool on_first_axis(const Vector2d& p) {
@@ -95,10 +96,9 @@ bool RegionFinder::Farther::operator()(const Waiting& a, const Waiting& b) const
 }
 
 bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& region) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   nearest_.clear();
   place_.resize(map_.image.size(), no_index);
-  distance_.resize(map_.image.size(), infinity);
+  distance_.resize(map_.image.size(), base::infinity);
   candidates_.clear();
   touched_.assign(1, centre);
   heap_.clear();
@@ -113,13 +113,13 @@ bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& re
       const Index v = map_.surface.end(h);
       const double there = w.distance + (map_.image[v] - map_.image[w.vertex]).norm();
       if (!(there < distance_[v])) return;
-      if (distance_[v] == infinity) touched_.push_back(v);
+      if (distance_[v] == base::infinity) touched_.push_back(v);
       distance_[v] = there;
       heap_.push({there, v, 0});
     });
   }
   for (const Index v : touched_)
-    distance_[v] = infinity;
+    distance_[v] = base::infinity;
   std::size_t count = candidates_.size();
   while (count > 0 && !gather(std::span<const Index>(candidates_).first(count), region))
     count = count * 2 / 3;
@@ -142,7 +142,7 @@ Array<CornerRegion> RegionFinder::find_disjoint(std::size_t max_vertices) {
     if (nearest_[w.vertex] != no_index) continue;
     nearest_[w.vertex] = centres[w.corner];
     own[w.corner].push_back(w.vertex);
-    if (own[w.corner].size() % 1024 == 0) host_.report(phase, 0, 0);
+    if (own[w.corner].size() % 1024 == 0) host_.report(corner_region_phase, 0, 0);
     map_.surface.for_each_outgoing(w.vertex, [&](Index h) {
       const Index v = map_.surface.end(h);
       const double there = w.distance + (map_.image[v] - map_.image[w.vertex]).norm();
@@ -153,7 +153,7 @@ Array<CornerRegion> RegionFinder::find_disjoint(std::size_t max_vertices) {
   }
   Array<CornerRegion> result(host_.memory);
   for (Index c = 0; c < centres.size(); ++c) {
-    host_.report(phase, c, centres.size());
+    host_.report(corner_region_phase, c, centres.size());
     CornerRegion region(host_.memory);
     if (!find_sectors(centres[c], region)) continue;
     candidates_.clear();
@@ -184,7 +184,7 @@ bool RegionFinder::find_sectors(Index centre, CornerRegion& region) const {
     CornerSector sector{map_.label[h / 3], map_.facet[h / 3], begin, 0, 0};
     const auto direction = [&](Index x) {
       const Vector2d d = in_face(sector.label, map_.image[map_.surface.end(x)]) - in_face(sector.label, region.apex);
-      return static_cast<int>(std::lround(angle_of(d) / quarter)) & 3;
+      return static_cast<int>(std::lround(angle_of(d) / quarter_turn)) & 3;
     };
     const int first = direction(h);
     do {
@@ -217,7 +217,7 @@ bool RegionFinder::may_move(Index v, const CornerRegion& region) const {
     }
     if (centre) return;
     const Vector2d p = in_sector(region, *sector, map_.image[v]);
-    inside = inside && angle_of(p) <= sector->quarters * quarter;
+    inside = inside && angle_of(p) <= sector->quarters * quarter_turn;
     // An edge of the polycube along a ray.
     if (map_.on_edge(h)) inside = inside && (on_first_axis(p) || on_first_axis(turned_by(p, -sector->quarters)));
   });
@@ -303,10 +303,10 @@ bool RegionFinder::unfold(CornerRegion& region) const {
         const Vector2d p = in_sector(region, *sector, map_.image[region.vertices[v]]);
         const bool ends = on_first_axis(turned_by(p, -sector->quarters));
         if (ends != at_end) continue;
-        const double angle = ends ? sector->quarters * quarter : angle_of(p);
-        if (angle > sector->quarters * quarter) return false;
+        const double angle = ends ? sector->quarters * quarter_turn : angle_of(p);
+        if (angle > sector->quarters * quarter_turn) return false;
         const bool wraps = ends && sector->begin + sector->quarters == region.quarters;
-        region.angle[v] = wraps ? 0 : sector->begin * quarter + angle;
+        region.angle[v] = wraps ? 0 : sector->begin * quarter_turn + angle;
         region.cone[v] = turned_by(p, sector->begin - (wraps ? region.quarters : 0));
       }
     }
@@ -349,7 +349,7 @@ int WorkingMap::edges_at(Index v) const {
 }
 
 double CornerRegion::whole_turn() const {
-  return quarters * quarter;
+  return quarters * quarter_turn;
 }
 
 Vector3 CornerRegion::fold(const Vector2d& p, const CornerSector& sector) const {

@@ -11,7 +11,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double min_gain = 1e-9;
+constexpr double min_move_gain = 1e-9;
 const double bound = CornerMove::reach / std::sqrt(2.0);
 constexpr std::uint64_t max_values = 16, max_gradients = 7;
 
@@ -34,7 +34,7 @@ class Search {
     ++best_.evaluations;
     last_ = at;
     const double energy = move_.evaluate(at, gradient);
-    if (energy < best_.energy * (1 - min_gain)) {
+    if (energy < best_.energy * (1 - min_move_gain)) {
       best_.energy = energy;
       best_.at = at;
       best_.improved = true;

@@ -12,7 +12,7 @@
 namespace orbicube::polycube::dissertation {
 namespace {
 
-constexpr const char* phase = "corner disks";
+constexpr const char* corner_disks_phase = "corner disks";
 
 class DiskMaker {
  public:
@@ -24,7 +24,7 @@ class DiskMaker {
         loop_(host.memory) {}
 
   bool build(int rings, CornerDisk& disk) {
-    host_.report(phase, 0, 0);
+    host_.report(corner_disks_phase, 0, 0);
     collect(rings, disk);
     if (!find_outline(disk)) return false;
     disk.rings = rings;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "polycube/dissertation/corner_disks.h"
 #include "trust_region/solver.h"
 
@@ -97,14 +97,13 @@ class CornerOptimization {
         result.stop == trust_region::Stop::converged || result.stop == trust_region::Stop::resolution_limit;
   }
 
-  // E with the corner points now_, infinite where they have no map; fills squares_.
+  // E with the corner points now_, base::infinity where they have no map; fills squares_.
   double evaluate() {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     const Drawn drawn = mapper_.draw(layout_, now_);
-    if (!drawn.valid()) return infinite;
+    if (!drawn.valid()) return base::infinity;
     const PatchMap map = mapper_.map(layout_, drawn);
     flipped_ = map.flipped;
-    if (map.flipped > max_flipped_) return infinite;
+    if (map.flipped > max_flipped_) return base::infinity;
     for (std::size_t r = 0; r < map.energy.size(); ++r) {
       const PatchEnergy& e = map.energy[r];
       squares_[squares_per_patch * r] = std::sqrt(e.positive);

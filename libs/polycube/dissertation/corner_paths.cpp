@@ -1,15 +1,14 @@
 #include "polycube/dissertation/corner_paths.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/infinity.h"
 #include "mesh/topology/place_text.h"
 
 namespace orbicube::polycube::dissertation {
 namespace {
 
-constexpr const char* phase = "corner paths";
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr const char* corner_paths_phase = "corner paths";
 constexpr std::size_t max_known_vertices = 4'000'000;  // of paths that are kept, 16 MB
 
 std::string place_text(const EditableSurface& surface, Index v) {
@@ -176,7 +175,7 @@ class PatchFlood {
 ShortestPaths::ShortestPaths(const EditableSurface& surface, const base::Host& host)
     : surface_(surface),
       host_(host),
-      distance_(surface.vertices(), infinite, host.memory),
+      distance_(surface.vertices(), base::infinity, host.memory),
       parent_(surface.vertices(), no_index, host.memory),
       touched_(host.memory),
       heap_(host.memory),
@@ -202,7 +201,7 @@ std::span<const Index> ShortestPaths::find(Index from, Index to) {
 
 void ShortestPaths::search(Index from, Index to, Array<Index>& path) {
   for (const Index v : touched_) {
-    distance_[v] = infinite;
+    distance_[v] = base::infinity;
     parent_[v] = no_index;
   }
   touched_.assign(1, from);
@@ -213,19 +212,19 @@ void ShortestPaths::search(Index from, Index to, Array<Index>& path) {
     const Reached now = heap_.pop();
     if (now.length > distance_[now.vertex]) continue;
     if (now.vertex == to) break;
-    host_.report(phase, 0, 0);
+    host_.report(corner_paths_phase, 0, 0);
     surface_.for_each_outgoing(now.vertex, [&](Index h) {
       const Index v = surface_.end(h);
       const double length = now.length + surface_.length(h);
       if (!(length < distance_[v])) return;
-      if (distance_[v] == infinite) touched_.push_back(v);
+      if (distance_[v] == base::infinity) touched_.push_back(v);
       distance_[v] = length;
       parent_[v] = now.vertex;
       heap_.push({length, v});
     });
   }
   path.clear();
-  if (distance_[to] == infinite) return;
+  if (distance_[to] == base::infinity) return;
   for (Index v = to; v != no_index; v = parent_[v])
     path.push_back(v);
   std::reverse(path.begin(), path.end());

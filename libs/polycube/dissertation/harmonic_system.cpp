@@ -10,7 +10,7 @@
 namespace orbicube::polycube::dissertation {
 namespace {
 
-constexpr const char* phase = "harmonic maps";
+constexpr const char* harmonic_system_phase = "harmonic maps";
 // Of the harmonic equations, relative to the largest value: what an updated factor may lose before it is made again.
 constexpr double max_residual = 1e-9;
 
@@ -62,7 +62,7 @@ double HarmonicSystem::diagonal(Index v) const {
 }
 
 bool HarmonicSystem::fix(std::span<const std::uint8_t> fixed, bool may_update) {
-  host_.report(phase, 0, 0);
+  host_.report(harmonic_system_phase, 0, 0);
   std::size_t changed = 0;
   for (std::size_t v = 0; v < fixed.size(); ++v)
     changed += fixed[v] != fixed_[v];

@@ -6,7 +6,7 @@
 namespace orbicube::polycube::dissertation {
 namespace {
 
-constexpr const char* phase = "octree";
+constexpr const char* octree_phase = "octree";
 
 class Octree {
  public:
@@ -42,7 +42,7 @@ class Octree {
 
   // A box of the given level; `at` counts boxes of the finest one.
   void divide(const Cell& at, int level) {
-    host_.report(phase, 0, 0);
+    host_.report(octree_phase, 0, 0);
     const int width = boxes() >> level;
     std::array<int, 3> begin{}, end{};
     double volume = 1;

@@ -1,10 +1,10 @@
 #include "polycube/dissertation/printed_map.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/counted.h"
 #include "base/error.h"
+#include "base/infinity.h"
 
 namespace orbicube::polycube::dissertation {
 
@@ -36,10 +36,8 @@ FinishedMap PrintedMapper::finish(const Layout& layout, const Drawn& drawn, Cert
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 Index nearest_vertex(const EditableSurface& surface, const Vector3& point) {
-  double least = infinite;
+  double least = base::infinity;
   Index nearest = no_index;
   for (Index v = 0; v < surface.vertices(); ++v) {
     const double distance = (surface.position[v] - point).squaredNorm();
@@ -50,18 +48,18 @@ Index nearest_vertex(const EditableSurface& surface, const Vector3& point) {
   return nearest;
 }
 
-// Where a line hits a triangle, as the parameter on the line; infinite where it does not.
+// Where a line hits a triangle, as the parameter on the line; base::infinity where it does not.
 double hit(const Vector3& origin, const Vector3& direction, const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 u = b - a, v = c - a, p = direction.cross(v);
   const double volume = u.dot(p);
-  if (volume == 0) return infinite;
+  if (volume == 0) return base::infinity;
   const Vector3 from = origin - a, q = from.cross(u);
   const double s = from.dot(p) / volume, t = direction.dot(q) / volume;
-  return s >= 0 && t >= 0 && s + t <= 1 ? v.dot(q) / volume : infinite;
+  return s >= 0 && t >= 0 && s + t <= 1 ? v.dot(q) / volume : base::infinity;
 }
 
 Index vertex_along(const EditableSurface& surface, const Vector3& origin, const Vector3& direction) {
-  double least = infinite;
+  double least = base::infinity;
   Index face = no_index;
   for (Index f = 0; f < surface.faces(); ++f) {
     const Triangle& t = surface.triangle[f];
@@ -75,7 +73,7 @@ Index vertex_along(const EditableSurface& surface, const Vector3& origin, const 
   const Triangle& t = surface.triangle[face];
   // The sign of the parameter is lost, but both points are tried.
   Index best = t[0];
-  double distance = infinite;
+  double distance = base::infinity;
   for (const Index v : t) {
     for (const double at : {least, -least}) {
       const double there = (surface.position[v] - (origin + at * direction)).squaredNorm();

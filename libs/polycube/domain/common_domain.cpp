@@ -10,8 +10,6 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double min_gain = 1e-12;  // less is rounding
-
 class CommonOptimization {
  public:
   CommonOptimization(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host)
@@ -105,7 +103,7 @@ class CommonOptimization {
       after.push_back(energy_of(trial, options_, host_));
       value += after.back();
     }
-    if (!(value < start * (1 - min_gain))) return start;
+    if (!(value < start * (1 - min_energy_gain))) return start;
     for (std::size_t i = 0; i < maps_.size(); ++i)
       maps_[i]->polycube = std::move(moved[i]);  // which may be in other memory
     result_.certificates = std::move(certificates);

@@ -9,7 +9,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double min_gain = 1e-3;  // of a round, relative to the energy
+constexpr double min_gain_of_round = 1e-3;  // of a round, relative to the energy
 
 // In the host's memory, which plain copies are not.
 SurfaceMap copy_of(const SurfaceMap& map, const base::Host& host) {
@@ -82,7 +82,7 @@ void improve(CommonMaps& common, std::span<const std::size_t> originals, int rou
     const double before = common.energies.back();
     double gained = attempt(common, originals, options, host, smooth);
     if (options.corners) gained += attempt(common, originals, options, host, move_corners);
-    if (gained < min_gain * before) break;
+    if (gained < min_gain_of_round * before) break;
   }
 }
 

@@ -16,9 +16,6 @@
 namespace orbicube::polycube {
 namespace {
 
-// Polycubes are tried on coarse shapes, of this number of triangles, when the shapes have more than is coarse enough.
-constexpr std::size_t search_triangles = 5000, coarse_enough = 7000;
-
 // A shape as polycubes are tried on it: some of its triangles, or itself.
 struct CoarseShape {
   CoarseShape(const SurfaceSpan& shape, const base::Host& host)

@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/infinity.h"
 #include "mesh/topology/degenerate_triangles.h"
 #include "polycube/surface/distortion.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr const char* phase = "domain energy";
+constexpr const char* domain_energy_phase = "domain energy";
 constexpr std::uint64_t across_layers = std::numeric_limits<std::uint64_t>::max();
 
 double area_of(const std::array<std::array<double, 2>, 3>& p) {
@@ -69,7 +69,7 @@ DomainEnergy::Triangles DomainEnergy::find_cells(const SurfaceMap& map, const Co
   areas.resize(map.triangles.size());
   const double rounding = rounding_of_input(map);
   for (Index t = 0; t < map.triangles.size(); ++t) {
-    if (t % 4096 == 0) host.report(phase, t, 2 * map.triangles.size());
+    if (t % 4096 == 0) host.report(domain_energy_phase, t, 2 * map.triangles.size());
     const auto& [a, b, c] = map.triangles[t];
     areas[t] = 0.5 * (map.positions[b] - map.positions[a]).cross(map.positions[c] - map.positions[a]).norm();
     surface_area_ += areas[t];
@@ -122,7 +122,7 @@ void DomainEnergy::add_triangles(const SurfaceMap& map, const CoordinateLayers& 
   std::uint64_t last = across_layers;
   std::size_t done = found.by_cell.size();
   for (const auto& [key, t] : found.by_cell) {
-    if (done++ % 4096 == 0) host.report(phase, done, 2 * map.triangles.size());
+    if (done++ % 4096 == 0) host.report(domain_energy_phase, done, 2 * map.triangles.size());
     const double area = found.areas[t];
     const Crossing triangle =
         crossing(map, layers, t, area,
@@ -201,7 +201,7 @@ DomainEnergy::Totals DomainEnergy::totals(std::span<const double> lengths) const
   }
   for (const Crossing& triangle : crossing_) {
     const Flat f = flat(triangle, lengths);
-    if (!(f.area > 0)) return {.area = infinity};
+    if (!(f.area > 0)) return {.area = base::infinity};
     sum.area += f.area;
     if (!(triangle.area > 0)) continue;
     sum.angle += triangle.weight * f.harmonic / f.area;
@@ -214,7 +214,7 @@ DomainEnergy::Totals DomainEnergy::totals(std::span<const double> lengths) const
 }
 
 double DomainEnergy::energy(const Totals& t) const {
-  if (!std::isfinite(t.area)) return infinity;
+  if (!std::isfinite(t.area)) return base::infinity;
   const double scale = surface_area_ / t.area;  // of areas on the polycube
   if (measure_ == DomainMeasure::harmonic)
     return (t.harmonic * scale + area_weight_ * t.stretch * scale * scale) / surface_area_;

@@ -13,6 +13,9 @@
 
 namespace orbicube::polycube {
 
+// Of the energy: a smaller gain is rounding.
+inline constexpr double min_energy_gain = 1e-12;
+
 // Each does not change with the size of the polycube, which is measured at the surface's area, and is 1 + area_weight
 // for an isometry, more otherwise. `angle` and `area` are those of distortion.h.
 enum class DomainMeasure : std::int32_t {

@@ -13,7 +13,6 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr double max_stretch = 1000;
-constexpr double min_gain = 1e-12;  // less is rounding
 
 // Unknowns x and the lengths that they stand for, at a scale at which lengths are about 1.
 class Unknowns {
@@ -173,7 +172,7 @@ std::optional<double> move_layers(const DomainEnergy& energy, const CoordinateLa
       now.places = layers.places;
       const DomainEnergy after(trial, now, options.measure, options.area_weight, host);
       const double value = after.evaluate(after.lengths(), {});
-      if (value < start_energy * (1 - min_gain)) {
+      if (value < start_energy * (1 - min_energy_gain)) {
         certificate = certify(trial.polycube, trial.triangles, host);
         if (certificate.valid()) {
           map.polycube.swap(trial.polycube);

@@ -13,7 +13,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "registration";
+constexpr const char* registration_phase = "registration";
 constexpr std::size_t samples_a_point = 10, max_points = 320, min_points = 40, points_a_triangle = 4;
 constexpr double width = 1.2;      // of the kernel of the field, in units of the shapes' standard deviation
 constexpr double stiffness = 2;    // of the field
@@ -56,7 +56,7 @@ Samples spread_over(const SurfaceSpan& surface, const base::Host& host) {
   Array<double> distance(samples, std::numeric_limits<double>::infinity(), host.memory);
   std::size_t next = 0;
   for (std::size_t k = 0; k < spread; ++k) {
-    host.report(phase, k, spread);
+    host.report(registration_phase, k, spread);
     result.points.push_back(all.points[next]);
     result.normals.push_back(all.normals[next]);
     for (std::size_t i = 0; i < samples; ++i)
@@ -93,7 +93,7 @@ Matrix drift(const Matrix& from, const Matrix& from_normals, const Matrix& to, c
     variance += (to.rowwise() - from.row(i)).squaredNorm();
   variance /= 3.0 * static_cast<double>(m * n);
   for (int round = 0; round < max_rounds && variance > 1e-5; ++round) {
-    host.report(phase, static_cast<std::uint64_t>(round), max_rounds);
+    host.report(registration_phase, static_cast<std::uint64_t>(round), max_rounds);
     const double other = std::pow(2 * std::numbers::pi * variance, 1.5) * outliers / (1 - outliers) *
                          static_cast<double>(m) / static_cast<double>(n);
     for (Eigen::Index j = 0; j < n; ++j) {

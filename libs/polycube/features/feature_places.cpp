@@ -1,23 +1,19 @@
 #include "polycube/features/feature_places.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
+#include "base/infinity.h"
 
 namespace orbicube::polycube {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 FeaturePlaces::FeaturePlaces(const SurfaceMap& map, const UnfoldedMap& unfolded, const base::Host& host)
     : map_(map),
       unfolded_(unfolded),
       host_(host),
       search_(map.polycube, map.triangles, host),
-      distance_(map.triangles.size(), infinite, host.memory),
+      distance_(map.triangles.size(), base::infinity, host.memory),
       motion_(map.triangles.size(), host.memory),
       reached_(host.memory),
       heap_(host.memory) {
@@ -36,7 +32,7 @@ Vector3 FeaturePlaces::centre(Index face) const {
 
 void FeaturePlaces::reach(Index face, double distance, const PlaneMotion& motion) {
   if (!(distance < distance_[face])) return;
-  if (distance_[face] == infinite) reached_.push_back(Index{face});
+  if (distance_[face] == base::infinity) reached_.push_back(Index{face});
   distance_[face] = distance;
   motion_[face] = motion;
   heap_.push({distance, face});
@@ -47,7 +43,7 @@ FeaturePlaces::InPlane FeaturePlaces::find(Index vertex, const Vector3& place, i
   base::require(target.distance <= tolerance_, "the place of a feature is not on the polycube");
   const EditableSurface& surface = unfolded_.surface;
   for (const Index f : reached_)
-    distance_[f] = infinite;
+    distance_[f] = base::infinity;
   reached_.clear();
   heap_.clear();
   const Vector3& from = map_.polycube[vertex];

@@ -7,13 +7,10 @@
 #include "polycube/labels/label_trials.h"
 #include "polycube/map/whole_surface_map.h"
 #include "polycube/surface/alignment.h"
+#include "polycube/surface/decimation.h"
 
 namespace orbicube::polycube {
 namespace {
-
-// Labelings are tried on a surface of this number of triangles, when the input has more than is coarse enough.
-constexpr std::size_t search_triangles = 5000;
-constexpr std::size_t coarse_enough = 7000;
 
 class LabelConstruction {
  public:

@@ -10,15 +10,15 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr int max_steps = 8;
+constexpr int label_steps = 8;
 constexpr std::size_t changes_a_step = 8;
-constexpr double max_patch = 0.06;      // of the whole area: larger ones keep their labels
-constexpr double energy_weight = 4;     // what worse labels cost beside conflicts
-constexpr double order_weight = 0.2;    // and an arc that runs in a circle
-constexpr double corner_weight = 0.25;  // and a corner above the budget
-constexpr int rounds_of_the_start = 4;
-constexpr int sweeps = 2;
-constexpr int repair_passes = 25;
+constexpr double max_patch = 0.06;             // of the whole area: larger ones keep their labels
+constexpr double energy_weight = 4;            // what worse labels cost beside conflicts
+constexpr double order_weight = 0.2;           // and an arc that runs in a circle
+constexpr double excess_corner_weight = 0.25;  // and a corner above the budget
+constexpr int trial_rounds = 4;
+constexpr int trial_sweeps = 2;
+constexpr int trial_repair_passes = 25;
 
 struct Conflict {
   explicit Conflict(std::pmr::memory_resource* memory) : patches(memory) {}
@@ -31,7 +31,7 @@ Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels
                        std::uint64_t seed, const base::Host& host) {
   const Patches patches = find_patches(surface, labels, host);
   TiedMap map(surface, patches, host);
-  poisson_start(map, rounds_of_the_start, host);
+  poisson_start(map, trial_rounds, host);
   const ArcNetwork network(surface, patches, host);
   const ArcSigns signs = find_arc_signs(patches, surface, network, target_signs(map, network, host), seed, host);
   Conflict result(host.memory);
@@ -58,7 +58,7 @@ Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels
   }
   if (max_corners > 0 && network.corners.size() > max_corners) {
     if (result.size == 0) std::fill(near.begin(), near.end(), std::uint8_t{2});
-    result.size += corner_weight * static_cast<double>(network.corners.size() - max_corners);
+    result.size += excess_corner_weight * static_cast<double>(network.corners.size() - max_corners);
   }
   Array<std::pair<double, Index>> order(host.memory);
   for (Index c = 0; c < near.size(); ++c) {
@@ -81,8 +81,8 @@ bool drop_patch(const Surface& surface, const Patches& patches, Index patch, Lab
     costs.ban(i, labels[i]);
     labels[i] = best_label(costs, i);
   }
-  expand_labels(surface, costs, free, sweeps, labels, host);
-  return repair_labels(surface, costs, repair_passes, labels, host).total() == 0;
+  expand_labels(surface, costs, free, trial_sweeps, labels, host);
+  return repair_labels(surface, costs, trial_repair_passes, labels, host).total() == 0;
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ double search_labels(const Surface& surface, LabelCosts& costs, std::size_t max_
   Conflict now = find_conflict(surface, labels, max_corners, seed, host);
   const double energy = label_energy(surface, costs, labels);
   double reached = now.size;
-  for (int step = 0; step < max_steps && now.size > 0; ++step) {
+  for (int step = 0; step < label_steps && now.size > 0; ++step) {
     const Patches patches = find_patches(surface, labels, host);
     LabelCosts best_costs(host.memory);
     Array<AxisLabel> best_labels(host.memory);

@@ -51,7 +51,7 @@ constexpr double alike_below = 0.03;
 constexpr std::size_t max_flipped = 60;
 constexpr int rounds_after_drawing = 4;
 
-bool better(const LabelCandidate& a, const LabelCandidate& b) {
+bool has_better_labels(const LabelCandidate& a, const LabelCandidate& b) {
   return a.score < b.score;
 }
 
@@ -125,7 +125,7 @@ Array<LabelCandidate> LabelTrials::run() {
     }
   }
   if (!candidates_.empty() && !good_enough()) pull_out_protrusions();
-  std::stable_sort(candidates_.begin(), candidates_.end(), better);
+  std::stable_sort(candidates_.begin(), candidates_.end(), has_better_labels);
   return std::move(candidates_);
 }
 
@@ -169,8 +169,8 @@ void LabelTrials::pull_out_protrusions() {
   changes_left_ += max_protrusion_changes;
   steps_left_ += max_protrusion_steps;
   for (int protrusion = 0; protrusion < max_protrusions; ++protrusion) {
-    const std::size_t best = static_cast<std::size_t>(std::min_element(candidates_.begin(), candidates_.end(), better) -
-                                                      candidates_.begin());
+    const std::size_t best = static_cast<std::size_t>(
+        std::min_element(candidates_.begin(), candidates_.end(), has_better_labels) - candidates_.begin());
     const DistortedRegions regions = find_distorted_regions(coarse_, candidates_[best].map, host_);
     const Index region = next_region(regions, tried);
     if (region == no_index) return;

@@ -9,7 +9,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "layout";
+constexpr const char* layout_phase = "layout";
 
 // The solid on the planes only that it has faces in, and one empty layer around.
 VoxelSolid compressed(const VoxelSolid& solid, const base::Host& host) {
@@ -19,7 +19,7 @@ VoxelSolid compressed(const VoxelSolid& solid, const base::Host& host) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int plane = 1; plane < solid.count(axis); ++plane) {
-      host.report(phase, 0, 0);
+      host.report(layout_phase, 0, 0);
       bool differs = false;
       Cell c{};
       c[axis] = plane;
@@ -135,7 +135,7 @@ class Builder {
     Array<GridRectangle> slabs(host_.memory), other(host_.memory);
     for (Index start = 0; start < squares_.size(); ++start) {
       if (squares_[start].facet != no_index) continue;
-      host_.report(phase, start, squares_.size());
+      host_.report(layout_phase, start, squares_.size());
       const auto facet = static_cast<Index>(layout_.facets++);
       squares_[start].facet = facet;
       members.assign(1, start);

@@ -13,7 +13,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "map";
+constexpr const char* layout_map_phase = "map";
 
 class LayoutMap {
  public:
@@ -82,7 +82,7 @@ class LayoutMap {
       double gain = 0, energy = 0;
       const std::size_t count = active_.size();
       for (std::size_t i = 0; i < count; ++i) {
-        if (i % 256 == 0) host_.report(phase, 0, 0);
+        if (i % 256 == 0) host_.report(layout_map_phase, 0, 0);
         star_.gather(view(), active_[sweep % 2 == 0 ? i : count - 1 - i]);
         gain += star_.improve(view());
         energy += star_.energy();
@@ -102,7 +102,7 @@ class LayoutMap {
     constexpr int level_sweeps = 8;
     double next_level = growth * static_cast<double>(active_.size());
     for (std::size_t i = collapsed.size(); i-- > 0;) {
-      if (i % 64 == 0) host_.report(phase, collapsed.size() - i, collapsed.size());
+      if (i % 64 == 0) host_.report(layout_map_phase, collapsed.size() - i, collapsed.size());
       insert(collapsed[i]);
       if (static_cast<double>(active_.size()) < next_level) continue;
       smooth(level_sweeps, 1e-4);

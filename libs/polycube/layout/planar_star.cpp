@@ -2,19 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 
 #include "base/backtracking.h"
+#include "base/infinity.h"
+#include "mesh/search/planar.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+using mesh::cross;
 
 double& coordinate(Vector3& p, std::size_t axis) {
   return p[static_cast<Eigen::Index>(axis)];
@@ -90,7 +87,7 @@ double PlanarStar::energy_at(const Vector3& p) const {
     edges << t.a - q, t.b - q;
     const Eigen::Matrix2d jacobian = edges * t.inverse;
     const double determinant = jacobian.determinant();
-    if (!(determinant > 0)) return infinite;
+    if (!(determinant > 0)) return base::infinity;
     sum += t.weight * jacobian.squaredNorm() * (1 + 1 / (determinant * determinant));
   }
   return sum;
@@ -139,7 +136,7 @@ bool PlanarStar::place_in_face() {
 }
 
 bool PlanarStar::place_on_edge() {
-  double low = -infinite, high = infinite;
+  double low = -base::infinity, high = base::infinity;
   for (const StarTriangle& t : triangles_) {
     // Twice the area is constant + slope * s.
     Vector3 p = here_;

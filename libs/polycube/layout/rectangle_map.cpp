@@ -11,7 +11,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "rectangles";
+constexpr const char* rectangle_map_phase = "rectangles";
 
 // The tangent of half the angle between two vectors, between 0 and a large number.
 double half_tangent(const Vector3& a, const Vector3& b) {
@@ -101,7 +101,7 @@ class RectangleMaps {
   // Each vertex at the mean of its neighbors, all at once; vertices on arcs do not move, so that rectangles know
   // nothing of each other. Returns whether there is such a place.
   bool relax() {
-    host_.report(phase, 0, 0);
+    host_.report(rectangle_map_phase, 0, 0);
     if (free_.empty()) return true;
     constexpr Index fixed = no_index;
     Array<Index> unknown(surface_.vertices(), fixed, host_.memory);

@@ -10,7 +10,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "tracing";
+constexpr const char* tracing_phase = "tracing";
 
 // Which arc is drawn when.
 class Tracing {
@@ -45,7 +45,7 @@ class Tracing {
 
   void measure_arcs() {
     for (Index arc = 0; arc < layout_.arcs(); ++arc) {
-      host_.report(phase, 0, 0);
+      host_.report(tracing_phase, 0, 0);
       cost_[arc] = routes_.find(arc, false);
     }
   }
@@ -54,7 +54,7 @@ class Tracing {
   template <class Wanted>
   Index draw_cheapest(bool generators, const Wanted& wanted) {
     while (!waiting_.empty()) {
-      host_.report(phase, drawing_.drawn_count(), layout_.arcs());
+      host_.report(tracing_phase, drawing_.drawn_count(), layout_.arcs());
       const Index arc = waiting_.pop().arc;
       if (!wanted(arc)) continue;
       const double cost = routes_.find(arc, generators);

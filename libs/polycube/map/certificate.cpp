@@ -19,7 +19,7 @@ namespace {
 
 using mesh::Connectivity;
 
-constexpr const char* phase = "certificate";
+constexpr const char* certificate_phase = "certificate";
 constexpr AxisLabel no_label = label_count;
 
 Eigen::Vector2d in_plane(const Vector3& p, int axis) {
@@ -93,7 +93,7 @@ class Certifier {
     return false;
   }
   void report_now_and_then(std::size_t i) const {
-    if (i % 4096 == 0) host_.report(phase, i, triangles_.size());
+    if (i % 4096 == 0) host_.report(certificate_phase, i, triangles_.size());
   }
 
   bool surface() {

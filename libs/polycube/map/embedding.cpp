@@ -12,7 +12,7 @@ namespace {
 using mesh::Connectivity;
 using Place = std::array<Index, 3>;  // numbers of planes
 
-constexpr const char* phase = "certificate";
+constexpr const char* embedding_phase = "certificate";
 
 class Grid {
  public:
@@ -77,7 +77,7 @@ class Grid {
   bool on_edge(Index h) const { return patches_[h / 3] != patches_[connectivity_.opposite(h) / 3]; }
 
   void report(std::size_t i) const {
-    if (i % 4096 == 0) host_.report(phase, 0, 0);
+    if (i % 4096 == 0) host_.report(embedding_phase, 0, 0);
   }
 
   void find_planes() {

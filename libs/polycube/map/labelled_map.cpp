@@ -16,7 +16,7 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr int rounds_of_the_start = 15;
-constexpr int max_steps = std::numeric_limits<int>::max();
+constexpr int no_limit = std::numeric_limits<int>::max();
 constexpr int steps_without_signs = 50;
 
 class LabelledMap {
@@ -86,7 +86,7 @@ class LabelledMap {
     return patches == map_.patches->count();
   }
 
-  bool attempt(Untangling& untangling, double first_eps, int steps = max_steps) {
+  bool attempt(Untangling& untangling, double first_eps, int steps = no_limit) {
     const std::size_t before = untangling.steps_taken();
     const bool made = make(untangling, first_eps, steps);
     outcome_.steps += untangling.steps_taken() - before;

@@ -11,7 +11,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "start";
+constexpr const char* starts_phase = "start";
 
 // Half the cotangent opposite to a half-edge, bounded so that the Laplacian is positive and slivers do not rule it.
 double bounded_weight(const Surface& surface, Index h, double least, double most) {
@@ -51,7 +51,7 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host) {
   linear::SparseSystem::Triplets triplets(host.memory);
   triplets.reserve(9 * std::size_t{half_edges});
   for (Index h = 0; h < half_edges; ++h) {
-    if (h % 8192 == 0) host.report(phase, 0, 0);
+    if (h % 8192 == 0) host.report(starts_phase, 0, 0);
     weights[h] = bounded_weight(surface, h, 1e-3, 50);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto p = static_cast<int>(map.variable[surface.start(h)][axis]);
@@ -66,7 +66,7 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host) {
   for (int i = 0; i < static_cast<int>(map.value.size()); ++i)
     triplets.emplace_back(i, i, anchor);
   linear::SparseSystem system(map.value.size(), triplets);
-  host.report(phase, 0, 0);
+  host.report(starts_phase, 0, 0);
   if (!system.factorize()) throw base::Error("no-valid-result", "the start of the map could not be computed");
 
   Array<Eigen::Matrix3d> turns(surface.triangles.size(), host.memory);
@@ -75,7 +75,7 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host) {
   }
   Eigen::VectorXd right(static_cast<Eigen::Index>(map.value.size()));
   for (int round = 0; round < rounds; ++round) {
-    host.report(phase, 0, 0);
+    host.report(starts_phase, 0, 0);
     for (std::size_t i = 0; i < map.value.size(); ++i)
       right[static_cast<Eigen::Index>(i)] = anchor * map.value[i];
     for (Index i = 0; i < surface.triangles.size(); ++i) {
@@ -133,7 +133,7 @@ std::size_t place_patches(TiedMap& map, const ArcNetwork& network, const ArcSign
   Eigen::MatrixXd matrix(count, count);
   std::size_t wrong = 0;
   for (int round = 0; round < max_rounds; ++round) {
-    host.report(phase, 0, 0);
+    host.report(starts_phase, 0, 0);
     matrix = stay * Eigen::MatrixXd::Identity(count, count);
     for (Eigen::Index c = 0; c < count; ++c)
       right[c] = stay * map.value[static_cast<std::size_t>(c)];
@@ -188,7 +188,7 @@ void spread_vertices(TiedMap& map, const ArcNetwork& network, const base::Host& 
   triplets.reserve(12 * surface.triangles.size() + count);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
   for (Index h = 0; h < 3 * surface.triangles.size(); ++h) {
-    if (h % 8192 == 0) host.report(phase, 0, 0);
+    if (h % 8192 == 0) host.report(starts_phase, 0, 0);
     const double weight = 0.05 + bounded_weight(surface, h, 0, 5);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (static_cast<int>(axis) == axis_of(map.label(h / 3))) continue;
@@ -203,7 +203,7 @@ void spread_vertices(TiedMap& map, const ArcNetwork& network, const base::Host& 
     }
   }
   linear::SparseSystem system(count, triplets);
-  host.report(phase, 0, 0);
+  host.report(starts_phase, 0, 0);
   if (!system.factorize()) throw base::Error("no-valid-result", "the start of the map could not be computed");
   const Eigen::VectorXd x = system.solve(right);
   for (std::size_t i = 0; i < fixed.size(); ++i) {

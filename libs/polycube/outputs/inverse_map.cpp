@@ -10,7 +10,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "inverse map";
+constexpr const char* inverse_map_phase = "inverse map";
 
 Eigen::Vector2d in_plane(const Vector3& p, AxisLabel label) {
   const Eigen::Vector2d flat(p[(axis_of(label) + 1) % 3], p[(axis_of(label) + 2) % 3]);
@@ -89,10 +89,10 @@ LocatedPoints locate(const SurfaceMap& map, std::span<const Vector3> points, con
   result.triangles.assign(points.size(), no_index);
   result.weights.assign(points.size(), Vector3::Zero());
   for (int axis = 0; axis < 3; ++axis) {
-    host.report(phase, 0, 0);
+    host.report(inverse_map_phase, 0, 0);
     const Rows rows(points, axis, host.memory);
     for (Index t = 0; t < map.triangles.size(); ++t) {
-      if (t % 256 == 0) host.report(phase, t, map.triangles.size());
+      if (t % 256 == 0) host.report(inverse_map_phase, t, map.triangles.size());
       if (axis_of(map.labels[t]) != axis) continue;
       std::array<Eigen::Vector2d, 3> corner;
       Vector3 low = map.polycube[map.triangles[t][0]], high = low;

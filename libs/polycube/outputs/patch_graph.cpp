@@ -16,9 +16,9 @@ using mesh::Connectivity;
   throw base::Error("invalid-argument", "the map is not certified");
 }
 
-class Builder {
+class PatchGraphBuilder {
  public:
-  Builder(const SurfaceMap& map, const base::Host& host)
+  PatchGraphBuilder(const SurfaceMap& map, const base::Host& host)
       : map_(map),
         host_(host),
         connectivity_(map.positions.size(), map.triangles, host),
@@ -188,7 +188,7 @@ class Builder {
 }  // namespace
 
 PatchGraph make_patch_graph(const SurfaceMap& map, const base::Host& host) {
-  return Builder(map, host).build();
+  return PatchGraphBuilder(map, host).build();
 }
 
 }  // namespace orbicube::polycube

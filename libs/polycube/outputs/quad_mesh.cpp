@@ -14,9 +14,8 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "quads";
+constexpr const char* quad_mesh_phase = "quads";
 constexpr double max_quads = 1e7;
-constexpr std::size_t items_between_reports = 16384;
 
 class GridSizes {
  public:
@@ -110,7 +109,7 @@ Array<Key> sorted(Array<Key> keys, const std::array<Lines, 3>& lines, const base
         std::span(begin),
         [&](const auto& visit) {
           for (std::size_t i = 0; i < keys.size(); ++i) {
-            if (i % items_between_reports == 0) host.report(phase, 0, 0);
+            if (i % base::items_between_reports == 0) host.report(quad_mesh_phase, 0, 0);
             visit(keys[i][axis], keys[i]);
           }
         },
@@ -119,7 +118,7 @@ Array<Key> sorted(Array<Key> keys, const std::array<Lines, 3>& lines, const base
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i % items_between_reports == 0) host.report(phase, 0, 0);
+    if (i % base::items_between_reports == 0) host.report(quad_mesh_phase, 0, 0);
     if (count == 0 || keys[i] != keys[count - 1]) keys[count++] = keys[i];
   }
   keys.resize(count);
@@ -145,12 +144,12 @@ QuadMesh mesh_grid(const PatchGraph& graph, const PolycubeGrid& grid, const base
   Array<std::array<Key, 4>> corners(host.memory);
   Array<Key> keys(host.memory);
   for (const PatchRectangle& r : rectangles) {
-    host.report(phase, 0, 0);
+    host.report(quad_mesh_phase, 0, 0);
     const auto axis = static_cast<std::size_t>(axis_of(r.label));
     const std::size_t u = first_axis(r.label), v = second_axis(r.label);
     for (Index j = lines[v].of_layer[r.second]; j < lines[v].of_layer[r.second + 1]; ++j) {
       for (Index i = lines[u].of_layer[r.first]; i < lines[u].of_layer[r.first + 1]; ++i) {
-        if (corners.size() % items_between_reports == 0) host.report(phase, 0, 0);
+        if (corners.size() % base::items_between_reports == 0) host.report(quad_mesh_phase, 0, 0);
         std::array<Key, 4> quad{};
         constexpr std::array<std::array<Index, 2>, 4> around = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
         for (std::size_t k = 0; k < 4; ++k) {
@@ -169,7 +168,7 @@ QuadMesh mesh_grid(const PatchGraph& graph, const PolycubeGrid& grid, const base
   for (const Key& key : keys)
     mesh.polycube.emplace_back(lines[0].at[key[0]], lines[1].at[key[1]], lines[2].at[key[2]]);
   for (std::size_t q = 0; q < corners.size(); ++q) {
-    if (q % 4096 == 0) host.report(phase, 0, 0);
+    if (q % 4096 == 0) host.report(quad_mesh_phase, 0, 0);
     Quad quad{};
     for (std::size_t k = 0; k < 4; ++k)
       quad[k] = static_cast<Index>(std::lower_bound(keys.begin(), keys.end(), corners[q][k]) - keys.begin());
@@ -197,7 +196,7 @@ QuadQuality measure_quads(std::span<const Vector3> positions, std::span<const Qu
   double largest = 0;
   result.min_scaled_jacobian = quads.empty() ? 0 : 1;
   for (std::size_t q = 0; q < quads.size(); ++q) {
-    if (q % 4096 == 0) host.report(phase, q, quads.size());
+    if (q % 4096 == 0) host.report(quad_mesh_phase, q, quads.size());
     const Quad& c = quads[q];
     const auto p = [&](std::size_t k) -> const Vector3& { return positions[c[k % 4]]; };
     const Vector3 normal = (p(2) - p(0)).cross(p(3) - p(1));

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/infinity.h"
 #include "mesh/search/predicates.h"
 #include "polycube/surface/input_sides.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "map";
+constexpr const char* added_vertices_phase = "map";
 
 class Removal {
  public:
@@ -24,7 +25,7 @@ class Removal {
     for (int round = 0; round < max_rounds; ++round) {
       const std::size_t before = removed;
       for (Index v = 0; v < surface_.vertices(); ++v) {
-        if (v % 256 == 0) host_.report(phase, 0, 0);
+        if (v % 256 == 0) host_.report(added_vertices_phase, 0, 0);
         if (surface_.outgoing(v) == no_index || surface_.source[v].corner[1] == no_index) continue;
         const Index h = best_collapse(v);
         if (h == no_index) continue;
@@ -39,10 +40,9 @@ class Removal {
  private:
   bool on_polycube_edge(Index h) const { return map_.facet[h / 3] != map_.facet[surface_.opposite(h) / 3]; }
 
-  // Of a triangle with its first corner moved: by how much its distortions exceed an isometry's; infinite when it would
-  // not be positive.
+  // Of a triangle with its first corner moved: by how much its distortions exceed an isometry's; base::infinity when it
+  // would not be positive.
   double excess(Index face, Index a, Index b, Index c) const {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     const auto axis = static_cast<std::size_t>(axis_of(map_.label[face]));
     const double sign = sign_of(map_.label[face]);
     const auto flat = [&](Index v) {
@@ -51,11 +51,11 @@ class Removal {
                       sign * p[static_cast<Eigen::Index>((axis + 2) % 3)]);
     };
     const Vector2d u = flat(a), v = flat(b), w = flat(c);
-    if (mesh::orientation_2d(u, v, w) <= 0) return infinite;
+    if (mesh::orientation_2d(u, v, w) <= 0) return base::infinity;
     const auto& p = surface_.position;
     const double in_space = map_.scale * map_.scale * 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
     const double on_polycube = 0.5 * ((v - u).x() * (w - u).y() - (v - u).y() * (w - u).x());
-    if (!(in_space > 0) || !(on_polycube > 0)) return infinite;
+    if (!(in_space > 0) || !(on_polycube > 0)) return base::infinity;
     const double squares = (p[b] - p[a]).dot(p[c] - p[a]) * (v - w).squaredNorm() +
                            (p[c] - p[b]).dot(p[a] - p[b]) * (w - u).squaredNorm() +
                            (p[a] - p[c]).dot(p[b] - p[c]) * (u - v).squaredNorm();

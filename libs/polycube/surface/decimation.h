@@ -12,6 +12,9 @@
 
 namespace orbicube::polycube {
 
+// Polycubes are tried on coarse surfaces, of this number of triangles, where the input has more than is coarse enough.
+inline constexpr std::size_t search_triangles = 5000, coarse_enough = 7000;
+
 // The half-edge went from `removed` to `kept`; the dead triangles are the one on its left and the one on its right.
 // Across their two other edges, first the one at `kept`, then the one at `removed`, lay the half-edges `beside`, which
 // were joined. moved[begin .. begin + size) are the other triangles around `removed`.

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 
 namespace orbicube::polycube {
 
 using Eigen::Vector2d;
+
+inline constexpr double quarter_turn = 0.5 * std::numbers::pi;
 
 // Returns p rotated counter-clockwise by the given number of quarter turns, of any sign.
 inline Vector2d turned_by(const Vector2d& p, int quarters) {

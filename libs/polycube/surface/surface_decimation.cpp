@@ -10,11 +10,11 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "decimation";
+constexpr const char* surface_decimation_phase = "decimation";
 
-class Decimation {
+class SurfaceDecimation {
  public:
-  Decimation(const Layout& layout, EditableSurface& surface, const Drawing& drawing, const base::Host& host)
+  SurfaceDecimation(const Layout& layout, EditableSurface& surface, const Drawing& drawing, const base::Host& host)
       : surface_(surface),
         host_(host),
         is_node_(surface.vertices(), 0, host.memory),
@@ -44,13 +44,13 @@ class Decimation {
   Array<Index> run(std::size_t min_vertices) {
     std::size_t left = 0;
     for (Index v = 0; v < surface_.vertices(); ++v) {
-      if (v % 1024 == 0) host_.report(phase, v, surface_.vertices());
+      if (v % 1024 == 0) host_.report(surface_decimation_phase, v, surface_.vertices());
       if (surface_.outgoing(v) == no_index) continue;
       ++left;
       push(v);
     }
     while (left > min_vertices && !queue_.empty()) {
-      if (collapsed_.size() % 256 == 0) host_.report(phase, 0, 0);
+      if (collapsed_.size() % 256 == 0) host_.report(surface_decimation_phase, 0, 0);
       const Candidate top = queue_.pop();
       if (version_[top.vertex] != top.version || surface_.outgoing(top.vertex) == no_index) continue;
       const Candidate best = cheapest(top.vertex);
@@ -166,7 +166,7 @@ class Decimation {
 
 Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing, std::size_t min_vertices,
                       const base::Host& host) {
-  return Decimation(layout, surface, drawing, host).run(min_vertices);
+  return SurfaceDecimation(layout, surface, drawing, host).run(min_vertices);
 }
 
 }  // namespace orbicube::polycube

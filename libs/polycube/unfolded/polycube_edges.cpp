@@ -6,18 +6,17 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/search/planar.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "edges of the polycube";
+using mesh::cross;
+
+constexpr const char* polycube_edges_phase = "edges of the polycube";
 // A vertex as near to a line as that goes onto it, in parts of the triangle.
 constexpr double near_line = 1e-7;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // A line as seen in a triangle's plane.
 struct Line {
@@ -45,7 +44,7 @@ class Folding {
   SurfaceMap run() {
     map_.follow_corners();
     for (Index dart = 0; dart < map_.darts.size(); ++dart) {
-      host_.report(phase, dart, map_.darts.size());
+      host_.report(polycube_edges_phase, dart, map_.darts.size());
       if (map_.darts[dart].corner < map_.darts[dart].target) draw(dart);
     }
     paint();

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "base/heap.h"
+#include "base/infinity.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "corners";
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr const char* unfolded_corners_phase = "corners";
 
 class CornerMoves {
  public:
@@ -34,7 +33,7 @@ class CornerMoves {
     constexpr int max_edges = 8;
     std::size_t moves = 0;
     for (Index corner = 0; corner < map_.corners.size(); ++corner) {
-      host_.report(phase, corner, map_.corners.size());
+      host_.report(unfolded_corners_phase, corner, map_.corners.size());
       if (map_.corners[corner].held) continue;
       for (int i = 0; i < max_edges && move(corner); ++i)
         ++moves;
@@ -47,7 +46,7 @@ class CornerMoves {
     constexpr int max_tries = 6, passes = 4;
     int tries = 0;
     while (map_.corners[number].vertex != goal) {
-      host_.report(phase, 0, 0);
+      host_.report(unfolded_corners_phase, 0, 0);
       const Index v = map_.corners[number].vertex, h = toward(v, goal);
       if (h == no_index) return false;
       const Move found = evaluate(h, energy_around(v), goal, true);
@@ -90,7 +89,7 @@ class CornerMoves {
   };
 
   double triangle_energy(Index p, Index q, Index r, const Vector2d& a, const Vector2d& b, const Vector2d& c) const {
-    if (mesh::orientation_2d(a, b, c) <= 0) return infinite;
+    if (mesh::orientation_2d(a, b, c) <= 0) return base::infinity;
     const RestTriangle rest = weights_.rest(surface_, p, q, r);
     return weights_.weight(rest) * distortion(jacobian(rest, a, b, c));
   }
@@ -107,7 +106,7 @@ class CornerMoves {
 
   // The first half-edge of the way from v, past corners and what is fixed.
   Index toward(Index v, Index goal) {
-    distance_.assign(surface_.vertices(), infinite);
+    distance_.assign(surface_.vertices(), base::infinity);
     first_.assign(surface_.vertices(), no_index);
     // From the goal, so that the way is known where it ends.
     using Entry = std::pair<double, Index>;
@@ -197,7 +196,7 @@ class CornerMoves {
       after += triangle_energy(w, surface_.end(x), surface_.end(EditableSurface::next(x)), map_.motion[x](corner_at_w),
                                map_.at(EditableSurface::next(x)), map_.at(EditableSurface::previous(x)));
     });
-    if (!(after < (forced ? infinite : before))) return result;
+    if (!(after < (forced ? base::infinity : before))) return result;
     // The triangles at v, unfolded around it and cut open along h.
     find_motions(h);
     star_.triangles.clear();
@@ -218,7 +217,7 @@ class CornerMoves {
     }
     middle /= static_cast<double>(motions_.size());
     const Vector2d from = map_.at(surface_.turned(h));
-    double least = infinite;
+    double least = base::infinity;
     for (double part = 0.6; part > 0.01; part *= 0.5) {
       const Vector2d place = from + part * (middle - from);
       if (!star_.positive(place)) continue;

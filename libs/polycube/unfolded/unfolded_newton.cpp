@@ -12,7 +12,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "smoothing";
+constexpr const char* unfolded_newton_phase = "smoothing";
 
 // Not an untangle::PlanarNewton: its triangles share coordinates but for signs. Here those of a vertex are turned and
 // shifted for each triangle, and ties add to the energy.
@@ -61,7 +61,7 @@ class System {
       double& entry = system_.values()[diagonal_[i]];
       entry = is_held(i) ? 1 : entry * (1 + 1e-9);
     }
-    host_.report(phase, 0, 0);
+    host_.report(unfolded_newton_phase, 0, 0);
     if (!system_.factorize()) return 0;
     const Eigen::VectorXd x = -system_.solve(gradient_);
     const double slope = gradient_.dot(x);
@@ -69,7 +69,7 @@ class System {
     for (std::size_t i = 0; i < place_.size(); ++i)
       direction_[i] = x.segment<2>(static_cast<Eigen::Index>(2 * i));
     const auto energy_after = [&](double length) {
-      host_.report(phase, 0, 0);
+      host_.report(unfolded_newton_phase, 0, 0);
       for (std::size_t k = 0; k < place_.size(); ++k)
         trial_[k] = place_[k] + length * direction_[k];
       return energy(trial_);
@@ -106,7 +106,7 @@ class System {
           triplets.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
       });
     }
-    host_.report(phase, 0, 0);
+    host_.report(unfolded_newton_phase, 0, 0);
     return linear::SparseSystem(2 * place_.size(), triplets);
   }
 
@@ -134,7 +134,7 @@ class System {
     std::fill_n(system_.values(), system_.value_count(), 0.0);
     double sum = 0;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
-      if (i % 4096 == 0) host_.report(phase, 0, 0);
+      if (i % 4096 == 0) host_.report(unfolded_newton_phase, 0, 0);
       const Element& e = elements_[i];
       const Eigen::Matrix2d j = jacobian_of(e, place_);
       sum += e.weight * distortion(j);

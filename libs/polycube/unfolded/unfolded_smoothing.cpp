@@ -12,7 +12,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "smoothing";
+constexpr const char* unfolded_smoothing_phase = "smoothing";
 
 class Smoothing {
  public:
@@ -58,7 +58,7 @@ class Smoothing {
     for (int i = 0; i < most; ++i) {
       double energy = 0, gain = 0;
       for (Index k = 0; k < count; ++k) {
-        if (k % 256 == 0) host_.report(phase, 0, 0);
+        if (k % 256 == 0) host_.report(unfolded_smoothing_phase, 0, 0);
         const Index v = i % 2 == 0 ? k : count - 1 - k;
         if (surface_.outgoing(v) == no_index || map_.is_corner(v) || map_.held[v] == 3) continue;
         star_.gather(map_, weights_, v);
@@ -107,7 +107,7 @@ class Smoothing {
   std::size_t remove_added() {
     std::size_t removed = 0;
     for (Index v = 0; v < surface_.vertices(); ++v) {
-      if (v % 256 == 0) host_.report(phase, 0, 0);
+      if (v % 256 == 0) host_.report(unfolded_smoothing_phase, 0, 0);
       if (surface_.outgoing(v) == no_index || map_.is_corner(v) || surface_.source[v].corner[1] == no_index) continue;
       if (!map_.is_free(v)) continue;
       const Index h = best_collapse(v);

@@ -7,7 +7,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "voxels";
+constexpr const char* local_thickness_phase = "voxels";
 
 // Squared distances of the centers of inside cells from the nearest center of an outside cell: one axis after the
 // other, the lower envelope of parabolas in each line (Felzenszwalb and Huttenlocher 2012).
@@ -25,7 +25,7 @@ Array<float> squared_distances(const VoxelSolid& solid, const base::Host& host) 
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3, stride = solid.stride(axis);
     const auto count = static_cast<std::size_t>(solid.count(axis));
     for (int i = 0; i < solid.count(u); ++i) {
-      host.report(phase, 0, 0);
+      host.report(local_thickness_phase, 0, 0);
       for (int j = 0; j < solid.count(v); ++j) {
         Cell c{};
         c[u] = i;
@@ -74,7 +74,7 @@ Array<float> local_thickness(const VoxelSolid& solid, const base::Host& host) {
   for (std::size_t k = 0; k < order.size(); ++k) {
     const float radius = std::sqrt(squared[order[k]]);
     if (radius < 1.1F * thickness[order[k]]) continue;
-    host.report(phase, k, order.size());
+    host.report(local_thickness_phase, k, order.size());
     const Cell centre = solid.cell(order[k]);
     const int reach = static_cast<int>(radius);
     std::array<int, 3> low{}, high{};
@@ -98,7 +98,7 @@ Array<float> local_thickness(const VoxelSolid& solid, const base::Host& host) {
   Array<std::size_t> front = std::move(order), next(host.memory);
   std::sort(front.begin(), front.end());
   while (!front.empty()) {
-    host.report(phase, 0, 0);
+    host.report(local_thickness_phase, 0, 0);
     next.clear();
     for (const std::size_t here : front) {
       solid.for_each_neighbor(here, [&](std::size_t there) {

@@ -8,7 +8,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "voxels";
+constexpr const char* occupancy_phase = "voxels";
 
 // Rays pass the middle of their cells but for this, so that they miss vertices and edges of models that were drawn on a
 // grid.
@@ -34,7 +34,7 @@ Array<Crossing> ray_crossings(std::span<const Vector3> positions, std::span<cons
                               const base::Host& host) {
   Array<Crossing> crossings(host.memory);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (t % 4096 == 0) host.report(phase, t, triangles.size());
+    if (t % 4096 == 0) host.report(occupancy_phase, t, triangles.size());
     const std::array<Vector3, 3> p = {positions[triangles[t][0]], positions[triangles[t][1]],
                                       positions[triangles[t][2]]};
     const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
@@ -88,7 +88,7 @@ Occupancy::Occupancy(std::span<const Vector3> positions, std::span<const Triangl
   sums_.assign(place(counts_[0], counts_[1], counts_[2]) + 1, 0);
   std::size_t next = 0;
   for (int i = 0; i < counts_[0]; ++i) {
-    host.report(phase, 0, 0);
+    host.report(occupancy_phase, 0, 0);
     for (int j = 0; j < counts_[1]; ++j) {
       const auto ray = static_cast<std::uint32_t>(i * counts_[1] + j);
       std::uint32_t in_ray = 0;

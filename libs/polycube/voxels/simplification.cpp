@@ -9,7 +9,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "simplification";
+constexpr const char* simplification_phase = "simplification";
 
 VoxelSolid copy_of(const VoxelSolid& solid, const base::Host& host) {
   std::array<Array<double>, 3> planes = {Array<double>(host.memory), Array<double>(host.memory),
@@ -53,7 +53,7 @@ void Simplification::fit_cells() {
   for (int round = 0; round < rounds; ++round) {
     bool changed = false;
     for (std::size_t i = 0; i < solid_.size(); ++i) {
-      if (i % 65536 == 0) host_.report(phase, 0, 0);
+      if (i % 65536 == 0) host_.report(simplification_phase, 0, 0);
       const float cost = solid_.inside(i) ? -weight_[i] : weight_[i];
       if (cost < -1e-12F && solid_.flip_if_simple(solid_.cell(i), corners_)) changed = true;
     }
@@ -86,7 +86,7 @@ void Simplification::find_pushes() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (const int sign : {-1, 1}) {
-      host_.report(phase, 0, 0);
+      host_.report(simplification_phase, 0, 0);
       marks_.assign(solid_.size(), 0);
       const auto exposed = [&, axis = axis](std::size_t place) {
         return solid_.inside(place) && !solid_.inside(solid_.neighbor(place, axis, sign));
@@ -230,7 +230,7 @@ bool Simplification::reduce(std::size_t corners) {
                                             : std::max({solid_.count(0), solid_.count(1), solid_.count(2)});
     candidates_.clear();
     for (std::size_t i = 0; i < pushes_.size(); ++i) {
-      if (i % 16 == 0) host_.report(phase, 0, 0, static_cast<double>(corners_));
+      if (i % 16 == 0) host_.report(simplification_phase, 0, 0, static_cast<double>(corners_));
       Outcome outcome;
       if (!apply(pushes_[i], max_layers, outcome)) continue;
       undo();

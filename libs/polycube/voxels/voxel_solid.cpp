@@ -8,7 +8,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "voxels";
+constexpr const char* voxel_solid_phase = "voxels";
 
 // Whether a set of the eight cells around a vertex hangs together through faces.
 constexpr bool connected(unsigned cells) {
@@ -141,7 +141,7 @@ std::size_t VoxelSolid::components(bool inside, Array<Index>& marks, Array<std::
     while (!waiting.empty()) {
       const std::size_t here = waiting.back();
       waiting.pop_back();
-      if (++sizes[component] % 65536 == 0) host.report(phase, 0, 0);
+      if (++sizes[component] % 65536 == 0) host.report(voxel_solid_phase, 0, 0);
       const Cell c = cell(here);
       for (std::size_t a = 0; a < 3; ++a) {
         for (const int step : {-1, 1}) {
@@ -161,7 +161,7 @@ VoxelTopology VoxelSolid::topology(const base::Host& host) const {
   VoxelTopology result;
   std::int64_t vertices = 0, edges = 0, faces = 0;
   for (int x = 1; x < count(0); ++x) {
-    host.report(phase, 0, 0);
+    host.report(voxel_solid_phase, 0, 0);
     for (int y = 1; y < count(1); ++y) {
       for (int z = 1; z < count(2); ++z) {
         const unsigned cells = configuration({x, y, z});

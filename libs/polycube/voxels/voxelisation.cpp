@@ -9,7 +9,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr const char* phase = "voxels";
+constexpr const char* voxelisation_phase = "voxels";
 constexpr int outer_layers = 2;  // of empty cells on each side
 
 // A grid of `cells` along the longest axis over the occupancy, with nothing inside yet.
@@ -36,7 +36,7 @@ Voxelisation make_grid(const Occupancy& occupancy, int cells, const base::Host& 
   grid.cells = cells;
   grid.fraction.assign(grid.solid.size(), 0);
   for (int x = 0; x < counts[0]; ++x) {
-    host.report(phase, 0, 0);
+    host.report(voxelisation_phase, 0, 0);
     for (int y = 0; y < counts[1]; ++y) {
       for (int z = 0; z < counts[2]; ++z) {
         const std::array<int, 3> begin = {fine_plane(0, x), fine_plane(1, y), fine_plane(2, z)};
@@ -59,7 +59,7 @@ void repair(Voxelisation& grid, const base::Host& host) {
   for (int round = 0; round < rounds; ++round) {
     bool repaired = true;
     for (int x = 1; x < solid.count(0); ++x) {
-      host.report(phase, 0, 0);
+      host.report(voxelisation_phase, 0, 0);
       for (int y = 1; y < solid.count(1); ++y) {
         for (int z = 1; z < solid.count(2); ++z) {
           if (VoxelSolid::manifold(solid.configuration({x, y, z}))) continue;
@@ -101,7 +101,7 @@ double farthest_vertex(const VoxelSolid& solid, std::span<const Vector3> positio
     front.push_back(i);
   }
   for (std::int16_t distance = 1; !front.empty(); ++distance) {
-    host.report(phase, 0, 0);
+    host.report(voxelisation_phase, 0, 0);
     next.clear();
     for (const std::size_t here : front) {
       solid.for_each_neighbor(here, [&](std::size_t there) {
@@ -149,7 +149,7 @@ std::optional<Voxelisation> voxelise_by_grid(std::span<const Vector3> positions,
   };
   Array<std::uint8_t> best(host.memory);
   for (const double threshold : thresholds) {
-    host.report(phase, 0, 0);
+    host.report(voxelisation_phase, 0, 0);
     for (std::size_t i = 0; i < solid.size(); ++i)
       solid.set(i, grid.fraction[i] > threshold);
     keep_largest();

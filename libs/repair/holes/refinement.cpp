@@ -16,7 +16,7 @@ using mesh::next_in_triangle;
 
 // Liepa's alpha: larger makes denser patches.
 constexpr double density = std::numbers::sqrt2;
-constexpr int max_rounds = 40;
+constexpr int max_refinements = 40;
 constexpr int max_flip_passes = 20;
 constexpr std::size_t max_points_per_loop_point = 100;
 
@@ -38,7 +38,7 @@ class Refinement {
   void run() {
     const std::size_t limit = patch_.loop_size * (1 + max_points_per_loop_point);
     relax();
-    for (int round = 0; round < max_rounds; ++round) {
+    for (int round = 0; round < max_refinements; ++round) {
       if (!split_large(limit)) break;
       relax();
     }

@@ -15,7 +15,7 @@
 namespace orbicube::sphere_map {
 namespace {
 
-constexpr const char* phase = "final optimization";
+constexpr const char* newton_phase = "final optimization";
 
 // A triangle of the level by the places of its corners, the lowest first. entry[i] is the star triangle of corner i
 // that starts with the next corner: there the matrix joins the two. after[i] is the one that starts with the last
@@ -125,7 +125,7 @@ class Newton {
       return static_cast<Index>(k + 1 < level_.star_begin[a + 1] ? k + 1 : level_.star_begin[a]);
     };
     for (std::size_t i = 0; i < count; ++i) {
-      if (i % 16384 == 0) host_.report(phase, 0, 0);
+      if (i % 16384 == 0) host_.report(newton_phase, 0, 0);
       for (std::size_t k = level_.star_begin[i]; k < level_.star_begin[i + 1]; ++k) {
         const auto a = static_cast<Index>(i);
         const Index b = place[level_.stars[k].q];
@@ -166,7 +166,7 @@ class Newton {
               triangle_model(energy_, shape_of(triangles_[t]), {points_[a], points_[b], points_[c]});
         }
       });
-      host_.report(phase, 0, 0, value);
+      host_.report(newton_phase, 0, 0, value);
     }
     return value;
   }
@@ -197,7 +197,7 @@ class Newton {
     const auto energy_after = [&](double length) {
       move(length);
       const double reached = trial_energy();
-      host_.report(phase, 0, 0, value);
+      host_.report(newton_phase, 0, 0, value);
       return reached;
     };
     const auto taken = base::backtrack(value, slope, {.max_trials = max_halvings}, energy_after);

@@ -8,14 +8,14 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-constexpr std::size_t slab = 8192;
+constexpr std::size_t elements_at_once = 8192;
 
 // All faces of all elements, of `size` vertices in ascending order, sorted.
 template <std::size_t size, std::size_t corners>
 Array<std::array<Index, size>> faces_of(std::span<const std::array<Index, corners>> elements, const base::Host& host) {
   Array<std::array<Index, size>> faces(host.memory);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i % slab == 0) host.report("refine", 0, 0);
+    if (i % elements_at_once == 0) host.report("refine", 0, 0);
     std::array<Index, corners> e = elements[i];
     std::sort(e.begin(), e.end());
     for (unsigned chosen = 0; chosen < 1U << corners; ++chosen) {

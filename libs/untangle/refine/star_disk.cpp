@@ -7,20 +7,19 @@
 #include <utility>
 
 #include "linear/sparse_system.h"
+#include "mesh/search/planar.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::untangle {
 namespace {
+
+using mesh::cross;
 
 // Of the circle: parts of the distance from its middle to the nearest line through an edge of the polygon, and of the
 // angle between two boundary vertices that new vertices next to one of them spread over. Any below 1 and 1/2 do; a
 // larger circle leaves less room for triangles around it.
 constexpr double radius_part = 0.5;
 constexpr double spread = 0.25;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // Boundary vertices, counter-clockwise where triangles are; empty unless the boundary is one closed curve.
 Array<Index> boundary_loop(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {

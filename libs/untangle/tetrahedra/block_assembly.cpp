@@ -9,9 +9,9 @@
 namespace orbicube::untangle {
 namespace {
 
-constexpr std::size_t piece = 1024;
+constexpr std::size_t rows_a_piece = 1024;
 // Rows between two reports: some milliseconds.
-constexpr std::size_t slab = 16384;
+constexpr std::size_t rows_at_once = 16384;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void BlockAssembly::add_places(std::span<const Element> elements, std::span<cons
     matrix_.row_begin[v + 1] = static_cast<Index>(matrix_.column.size());
   }
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i % slab == 0) host.report("matrix", 0, 0);
+    if (i % rows_at_once == 0) host.report("matrix", 0, 0);
     for_pairs(elements[i], [&](Index row, Index column, std::size_t which) {
       const auto first = matrix_.column.begin() + static_cast<std::ptrdiff_t>(matrix_.row_begin[row]);
       const auto last = matrix_.column.begin() + static_cast<std::ptrdiff_t>(matrix_.row_begin[row + 1]);
@@ -156,7 +156,7 @@ void BlockAssembly::finish(const base::ThreadPool& pool) {
       if (!m.is_own(m.border_column[i], a)) m.border[i][static_cast<Eigen::Index>(a)] = 0;
     }
   }
-  pool.run_pieces(m.rows(), piece, [&](std::size_t begin, std::size_t end) {
+  pool.run_pieces(m.rows(), rows_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       // What is no unknown has the size of the rest, or 1.
       Eigen::Matrix3d& diagonal = m.diagonal[v];

@@ -23,10 +23,6 @@ constexpr int max_sweeps = 200;
 using quaternion::cube_group;
 using quaternion::Quaternion;
 
-Eigen::Matrix3d matrix_of(const Quaternion& q) {
-  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
-}
-
 std::array<Vector3, 4> corners_of(std::span<const Vector3> positions, const Tetrahedron& t) {
   return {positions[t[0]], positions[t[1]], positions[t[2]], positions[t[3]]};
 }

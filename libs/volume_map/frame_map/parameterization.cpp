@@ -80,7 +80,7 @@ void set_corners(const FramedSolid& solid, const FrameCut& cut, const SeamlessSy
       image.row(static_cast<Eigen::Index>(k)) = map.corners[t][k];
     }
     const Quaternion& q = cut.frames[t];
-    energy += frame_energy(p, Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix(), map.cell_length, image);
+    energy += frame_energy(p, matrix_of(q), map.cell_length, image);
     const auto& c = map.corners[t];
     map.inverted += mesh::orientation_3d(c[0], c[1], c[2], c[3]) <= 0 ? 1 : 0;
   }

@@ -7,7 +7,7 @@
 namespace orbicube::volume_map {
 namespace {
 
-constexpr int max_rounds = 5;
+constexpr int max_splittings = 5;
 
 Array<Index> inverted_of(const Parameterization& map, const base::Host& host) {
   Array<Index> result(host.memory);
@@ -24,7 +24,7 @@ Parameterization parameterize_split(FramedSolid& solid, const ParameterizationOp
                                     const base::Host& host) {
   Parameterization best = parameterize(solid, options, host);
   FramedSolid trial(host.memory);
-  for (int round = 0; round < max_rounds && best.inverted > 0; ++round) {
+  for (int round = 0; round < max_splittings && best.inverted > 0; ++round) {
     trial.positions = solid.positions;
     trial.tetrahedra = solid.tetrahedra;
     trial.frames = solid.frames;

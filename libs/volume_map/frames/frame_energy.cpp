@@ -17,11 +17,11 @@ double shape_of(const std::array<Vector3, 4>& p, Eigen::Matrix<double, 4, 3>& gr
   return edges.determinant() / 6;
 }
 
-Eigen::Matrix3d matrix_of(const Quaternion& q) {
+}  // namespace
+
+Eigen::Matrix3d matrix_of(const quaternion::Quaternion& q) {
   return Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
 }
-
-}  // namespace
 
 double frame_energy(const std::array<Vector3, 4>& corners, const Eigen::Matrix3d& frame, double cell_length,
                     const Eigen::Matrix<double, 4, 3>& coordinates, Eigen::Matrix<double, 4, 3>* derivative) {

@@ -10,6 +10,8 @@
 
 namespace orbicube::volume_map {
 
+Eigen::Matrix3d matrix_of(const quaternion::Quaternion& q);
+
 // What the coordinates of a tetrahedron's corners (by row), in its chart, cost: and the derivative by them, if
 // requested.
 double frame_energy(const std::array<Vector3, 4>& corners, const Eigen::Matrix3d& frame, double cell_length,

@@ -22,9 +22,9 @@ namespace {
 using quaternion::cube_group;
 using Connectivity = mesh::TetrahedralConnectivity;
 
-class Mapping {
+class FrameMapping {
  public:
-  Mapping(const FramedSolid& solid, const FrameMapOptions& options, const base::Host& host)
+  FrameMapping(const FramedSolid& solid, const FrameMapOptions& options, const base::Host& host)
       : options_(options), host_(host), map_(host.memory) {
     map_.solid.positions = solid.positions;
     map_.solid.tetrahedra = solid.tetrahedra;
@@ -310,7 +310,7 @@ FrameMap map_by_frames(const FramedSolid& solid, const FrameMapOptions& options,
   base::require(options.cell_length > 0 && std::isfinite(options.cell_length), "the length of cells must be positive");
   base::require(solid.frames.size() == solid.tetrahedra.size(), "frames need one entry a tetrahedron");
   if (solid.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
-  return Mapping(solid, options, host).run();
+  return FrameMapping(solid, options, host).run();
 }
 
 }  // namespace orbicube::volume_map

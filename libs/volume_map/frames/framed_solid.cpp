@@ -14,7 +14,7 @@ namespace {
 
 using Connectivity = mesh::TetrahedralConnectivity;
 
-constexpr int max_rounds = 60;
+constexpr int max_widenings = 60;
 
 // Not 0 for the rings of edges around which the matchings do not compose to the identity.
 Array<std::uint8_t> singular_rings(const mesh::EdgeRings& rings, std::span<const std::uint8_t> matchings,
@@ -80,7 +80,7 @@ std::array<Index, 2> boundary_faces(const Connectivity& connectivity, const mesh
 void split_for_frames(FramedSolid& solid, const base::Host& host) {
   enum class What { borders, edges, faces, cells };
   for (const What what : {What::borders, What::edges, What::faces, What::cells}) {
-    for (int k = 0; k < max_rounds; ++k) {
+    for (int k = 0; k < max_widenings; ++k) {
       // The connectivity keeps a view of what the round changes, so it gets a copy.
       const Array<Tetrahedron> now(solid.tetrahedra, host.memory);
       const Connectivity connectivity(solid.positions.size(), now, host);
@@ -127,7 +127,7 @@ void split_around(FramedSolid& solid, std::span<const Index> tetrahedra, const b
     for (const Index v : solid.tetrahedra[t])
       target[v] = 1;
   }
-  for (int k = 0; k < max_rounds; ++k) {
+  for (int k = 0; k < max_widenings; ++k) {
     const Array<Tetrahedron> now(solid.tetrahedra, host.memory);
     const Connectivity connectivity(solid.positions.size(), now, host);
     const mesh::EdgeRings rings(connectivity, host);

@@ -44,7 +44,7 @@ FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const
     try {
       return filled(target);
     } catch (const base::Error& error) {
-      if (error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory) throw;
+      if (error.must_end()) throw;
       if (target == all || first == nullptr) first = std::current_exception();
       finer = finer && target < all;
       if (!finer && std::string_view(error.kind()) != "self-intersection") std::rethrow_exception(first);

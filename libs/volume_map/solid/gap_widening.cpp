@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Triangle;
 
-constexpr const char* phase = "gaps";
+constexpr const char* gap_widening_phase = "gaps";
 
 class Gaps {
  public:
@@ -33,7 +33,7 @@ class Gaps {
     constexpr std::size_t piece = 64;
     constexpr double part = 1.0 / 3;  // of the thickness
     Array<double> back(triangles_.size(), 0, host_.memory);
-    base::parallel_pieces(host_, phase, triangles_.size(), piece, [&](std::size_t begin, std::size_t end) {
+    base::parallel_pieces(host_, gap_widening_phase, triangles_.size(), piece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const double gap = clearance(static_cast<Index>(i), 1, width_);
         if (gap >= width_) continue;
@@ -41,7 +41,7 @@ class Gaps {
         back[i] = std::min(move, part * clearance(static_cast<Index>(i), -1, move / part));
       }
     });
-    host_.report(phase, 0, 0);
+    host_.report(gap_widening_phase, 0, 0);
     Array<Vector3> normal(positions_.size(), Vector3::Zero(), host_.memory);
     Array<double> most(positions_.size(), 0, host_.memory);
     bool any = false;

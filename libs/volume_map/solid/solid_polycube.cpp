@@ -19,8 +19,8 @@ namespace {
 using mesh::Triangle;
 
 // A connected part of the boundary by itself, outward-oriented, with its polycube.
-struct Part {
-  explicit Part(std::pmr::memory_resource* memory)
+struct PlacedPart {
+  explicit PlacedPart(std::pmr::memory_resource* memory)
       : vertices(memory), numbers(memory), positions(memory), triangles(memory), made(memory) {}
 
   Array<Index> vertices, numbers;  // of the boundary: the part's vertices and triangles
@@ -30,9 +30,9 @@ struct Part {
   polycube::Construction made;
 };
 
-Part part_of(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Pieces& parts,
-             std::size_t which, const base::Host& host) {
-  Part part(host.memory);
+PlacedPart part_of(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Pieces& parts,
+                   std::size_t which, const base::Host& host) {
+  PlacedPart part(host.memory);
   Array<Index> number(positions.size(), no_index, host.memory);
   for (Index i = 0; i < triangles.size(); ++i) {
     if (parts.of[i] != which) continue;
@@ -60,14 +60,14 @@ Part part_of(std::span<const Vector3> positions, std::span<const Triangle> trian
 
 // The maps of all parts as one, those of cavities put in their positions and reversed to inward orientation again.
 // Vertices of the boundary come first.
-polycube::SurfaceMap joined(std::span<const Vector3> positions, std::span<const Part> parts,
+polycube::SurfaceMap joined(std::span<const Vector3> positions, std::span<const PlacedPart> parts,
                             std::span<const CavityPlacement> placements, const base::Host& host) {
   polycube::SurfaceMap all(host.memory);
   all.positions.assign(positions.begin(), positions.end());
   all.polycube.assign(positions.size(), Vector3::Zero());
   polycube::set_unrefined(all);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Part& part = parts[i];
+    const PlacedPart& part = parts[i];
     const polycube::SurfaceMap& map = part.made.map;
     Array<Index> number(part.vertices, host.memory);
     for (std::size_t v = part.vertices.size(); v < map.positions.size(); ++v) {
@@ -143,13 +143,13 @@ polycube::Construction construct_polycube(std::span<const Vector3> positions, st
                                           const polycube::ConstructionOptions& options, const base::Host& host) {
   const Pieces connected = surface_parts(triangles, positions.size(), host);
   if (connected.count < 2) return construct_in_one(positions, triangles, options, host);
-  Array<Part> parts(host.memory);
+  Array<PlacedPart> parts(host.memory);
   for (std::size_t i = 0; i < connected.count; ++i)
     parts.push_back(part_of(positions, triangles, connected, i, host));
   // The outer surface first.
-  std::stable_partition(parts.begin(), parts.end(), [](const Part& part) { return !part.cavity; });
+  std::stable_partition(parts.begin(), parts.end(), [](const PlacedPart& part) { return !part.cavity; });
   polycube::Construction all(host.memory);
-  for (Part& part : parts) {
+  for (PlacedPart& part : parts) {
     part.made = construct_in_one(part.positions, part.triangles, options, host);
     all.tried += part.made.tried;
     all.valid += part.made.valid;

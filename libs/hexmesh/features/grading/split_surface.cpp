@@ -6,7 +6,7 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr int max_rounds = 10;
+constexpr int max_halvings = 10;
 constexpr std::size_t max_triangles = 2'000'000;  // no round begins with more
 
 class Splitting {
@@ -115,7 +115,7 @@ class Splitting {
 void split_edges(SplitSurface& surface, const std::function<bool(const Vector3&, const Vector3&)>& too_long,
                  const base::Host& host) {
   Splitting splitting(surface, host);
-  for (int round = 0; round < max_rounds && surface.triangles.size() <= max_triangles; ++round) {
+  for (int round = 0; round < max_halvings && surface.triangles.size() <= max_triangles; ++round) {
     if (!splitting.round(too_long)) return;
   }
 }

@@ -30,7 +30,7 @@ void note_scanner_space(std::string_view text, ReadReport& report) {
       std::string(line) + ", which is left out");
 }
 
-Mesh read_binary(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+Mesh read_binary_surface(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
   report.format = "FreeSurfer, binary";
   BinaryScanner scanner(bytes, 0, std::endian::big, host);
   scanner.skip(3);
@@ -114,7 +114,7 @@ Mesh read_text(std::span<const std::byte> bytes, const base::Host& host, ReadRep
 
 Mesh read_freesurfer(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.starts_with("\xFF\xFF\xFE")) return read_binary(bytes, host, report);
+  if (text.starts_with("\xFF\xFF\xFE")) return read_binary_surface(bytes, host, report);
   if (text.starts_with("#!ascii")) return read_text(bytes, host, report);
   if (text.starts_with("\xFF\xFF\xFF") || text.starts_with("\xFF\xFF\xFD")) {
     throw base::Error("unsupported-version",

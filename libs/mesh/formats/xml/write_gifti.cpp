@@ -19,8 +19,8 @@ constexpr std::string_view head =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">\n<MetaData/>\n<LabelTable/>\n";
-// The space of the points is not known.
-constexpr std::string_view space =
+// The gifti_space of the points is not known.
+constexpr std::string_view gifti_space =
     "<CoordinateSystemTransformMatrix>\n<DataSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></DataSpace>\n"
     "<TransformedSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></TransformedSpace>\n"
     "<MatrixData>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</MatrixData>\n</CoordinateSystemTransformMatrix>\n";
@@ -70,8 +70,8 @@ void write_gifti(OutputFile& file, const Mesh& mesh, const WriteOptions& options
   if (options.binary) require_float_resolution(mesh, "GIFTI", "PLY and OBJ hold them");
   TextWriter out(file, mesh.positions.size() + mesh.triangles.size(), host);
   out << head;
-  write_array(out, "Intent=\"NIFTI_INTENT_POINTSET\" DataType=\"NIFTI_TYPE_FLOAT32\"", space, mesh.positions.size(),
-              options.binary, host, [&](std::size_t i, const auto& put) {
+  write_array(out, "Intent=\"NIFTI_INTENT_POINTSET\" DataType=\"NIFTI_TYPE_FLOAT32\"", gifti_space,
+              mesh.positions.size(), options.binary, host, [&](std::size_t i, const auto& put) {
                 for (const double x : mesh.positions[i])
                   put(x);
               });
