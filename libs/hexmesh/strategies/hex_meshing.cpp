@@ -59,7 +59,9 @@ class Mesher {
   std::size_t affordable() const {
     constexpr std::size_t most = 40;       // of the option `cells`: some ten meshes of that number, and a few of more
     constexpr std::size_t cheap = 20'000;  // take about twenty seconds
-    return std::max(most * options_.cells, cheap);
+    constexpr double useful = 2;           // excess up to which a mesh is handed out
+    const bool found = best_ && excess_of_best() <= useful;
+    return std::max(most * options_.cells, found ? cheap : 2 * cheap);
   }
   bool half_spent() const { return 2 * drafted_ > affordable(); }
 
