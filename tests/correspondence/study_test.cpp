@@ -49,7 +49,7 @@ double spread(const Population& shapes) {
   return (shapes.rowwise() - shapes.colwise().mean()).squaredNorm();
 }
 
-mesh::Mesh creature(std::uint64_t seed) {
+mesh::Mesh oriented_creature(std::uint64_t seed) {
   mesh::Mesh result = mesh::make_shape("creature", {.triangles = 400, .seed = seed}, base::Host());
   correspondence::orient_genus_zero(result, base::Host());
   return result;
@@ -114,7 +114,7 @@ TEST_CASE("a group with nothing to align is refused") {
 
 TEST_CASE("a subject that lies differently is carried to the same points, with any number of threads") {
   const correspondence::SubjectOptions options{.resolution = 3};
-  const mesh::Mesh surface = creature(7);
+  const mesh::Mesh surface = oriented_creature(7);
   const correspondence::Subject first = correspondence::map_subject(surface, nullptr, options, base::Host());
   REQUIRE(first.functions);
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();

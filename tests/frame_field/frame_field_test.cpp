@@ -23,17 +23,13 @@
 
 using namespace orbicube;
 using namespace orbicube::frame_field;
+using test::computed;
 
 namespace {
 
 Measurement measured(const test::Solid& solid, const Field& field) {
   const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
   return measure(solid.positions, connectivity, field, base::Host());
-}
-
-Outcome computed(const test::Solid& solid, const Options& options = {}, const Given& given = {},
-                 const base::Host& host = {}) {
-  return compute(solid.positions, solid.tetrahedra, options, given, host);
 }
 
 const std::vector<Start> starts = {Start::automatic, Start::identity, Start::propagated, Start::harmonic,

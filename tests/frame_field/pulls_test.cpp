@@ -13,14 +13,7 @@
 
 using namespace orbicube;
 using namespace orbicube::frame_field;
-
-namespace {
-
-Outcome computed(const test::Solid& solid, const Options& options, const Given& given) {
-  return compute(solid.positions, solid.tetrahedra, options, given, {});
-}
-
-}  // namespace
+using test::computed;
 
 TEST_CASE("One tetrahedron follows a pull, and the mean of two") {
   const test::Solid solid{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};

@@ -20,16 +20,9 @@ using namespace orbicube;
 using namespace orbicube::frame_field;
 using quaternion::cube_group;
 using quaternion::CubeClass;
+using test::bar;
 
 namespace {
-
-// A bar about the z axis, with vertices on the axis.
-test::Solid bar() {
-  test::Solid solid = test::cubes(8, 8, 5);
-  for (Vector3& p : solid.positions)
-    p -= Vector3(4, 4, 0);
-  return solid;
-}
 
 // Frames that turn about the z axis by a part of a full turn while one goes round it.
 Field field_about_z(const test::Solid& solid, const Quaternion& base, double part) {

@@ -19,6 +19,7 @@
 using namespace orbicube;
 using namespace orbicube::frame_field;
 using quaternion::cube_group;
+using test::bar;
 
 namespace {
 
@@ -57,14 +58,6 @@ std::vector<Quaternion> random_field(std::size_t count, std::uint64_t seed) {
   for (Quaternion& q : field)
     q = test::random_rotation(random);
   return field;
-}
-
-// A bar about the z axis, with no vertex on the axis but those that lie along it.
-test::Solid bar() {
-  test::Solid solid = test::cubes(8, 8, 5);
-  for (Vector3& p : solid.positions)
-    p -= Vector3(4, 4, 0);
-  return solid;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "frame_field/frame_field.h"
 #include "mesh/topology/tetrahedral_connectivity.h"
 #include "quaternion/quaternion.h"
 #include "quaternion/rotation.h"
@@ -41,6 +42,14 @@ inline Solid ring(Index m, Index n) {
   return solid;
 }
 
+// A bar about the z axis, along which it has vertices.
+inline Solid bar() {
+  Solid solid = cubes(8, 8, 5);
+  for (Vector3& p : solid.positions)
+    p -= Vector3(4, 4, 0);
+  return solid;
+}
+
 // Moves inner and outer vertices a little, so that nothing is regular.
 inline Solid shaken(Solid solid, double amount) {
   std::mt19937_64 random(11);
@@ -50,6 +59,11 @@ inline Solid shaken(Solid solid, double amount) {
       p[c] += move(random);
   }
   return solid;
+}
+
+inline frame_field::Outcome computed(const Solid& solid, const frame_field::Options& options = {},
+                                     const frame_field::Given& given = {}, const base::Host& host = {}) {
+  return frame_field::compute(solid.positions, solid.tetrahedra, options, given, host);
 }
 
 inline quaternion::Quaternion random_rotation(std::mt19937_64& random) {

@@ -9,15 +9,15 @@
 
 #include "decorated.h"
 #include "gltf/writing/write.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using gltf::test::Decorated;
 using gltf::test::Json;
 using gltf::test::MadeFile;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text));

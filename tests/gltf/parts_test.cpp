@@ -10,15 +10,15 @@
 #include "base/error.h"
 #include "gltf/reading/read.h"
 #include "made_files.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using gltf::Part;
 using gltf::test::Json;
 using mesh::Vector3;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 struct Cube {
   std::vector<Vector3> positions;

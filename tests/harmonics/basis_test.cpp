@@ -12,14 +12,14 @@
 
 #include "harmonics/functions/gauss_legendre.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using std::numbers::pi;
+using test::host;
 
 namespace {
-
-const base::Host host;
-constexpr double pi = std::numbers::pi;
 
 std::vector<double> rows_at(const std::vector<Vector3>& directions, std::uint32_t degree) {
   std::vector<double> rows(directions.size() * basis_size(degree));

@@ -12,14 +12,14 @@
 
 #include "harmonics/functions/basis.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using std::numbers::pi;
+using test::host;
 
 namespace {
-
-const base::Host host;
-constexpr double pi = std::numbers::pi;
 
 Coefficients parsed(const std::string& text, FileFormat format) {
   return parse_coefficients(std::as_bytes(std::span(text)), format, host);

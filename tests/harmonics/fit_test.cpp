@@ -11,13 +11,13 @@
 
 #include "harmonics/fitting/gram_operator.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 struct Problem {
   std::vector<Vector3> directions;

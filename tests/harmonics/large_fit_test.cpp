@@ -12,13 +12,13 @@
 #include "harmonics/fitting/gauss_grid.h"
 #include "harmonics/fitting/gram_operator.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 double norm(std::span<const double> values) {
   double square = 0;
@@ -28,12 +28,12 @@ double norm(std::span<const double> values) {
 }
 
 // Samples that are denser on one side, some of them of little weight.
-struct Problem {
+struct LargeProblem {
   std::vector<Vector3> directions;
   std::vector<double> weights, values;
   Coefficients exact;
 
-  Problem(std::uint32_t degree, std::size_t channels, std::size_t count, double noise, std::uint64_t seed) {
+  LargeProblem(std::uint32_t degree, std::size_t channels, std::size_t count, double noise, std::uint64_t seed) {
     Samples samples(seed);
     exact = samples.coefficients(degree, channels);
     directions = samples.directions(count);
@@ -49,7 +49,7 @@ struct Problem {
 };
 
 // Of the gradient at a fit, of that at zero.
-double gradient_left(const Problem& p, const Coefficients& found) {
+double gradient_left(const LargeProblem& p, const Coefficients& found) {
   std::vector<double> fitted(p.values.size());
   synthesise(found, p.directions, fitted, host);
   for (std::size_t i = 0; i < fitted.size(); ++i)
@@ -129,7 +129,7 @@ TEST_CASE("A block of columns is solved, also where columns are equal or zero") 
 }
 
 TEST_CASE("Degree 90 is recovered from 30 thousand samples") {
-  const Problem p(90, 2, 30'000, 0, 33);
+  const LargeProblem p(90, 2, 30'000, 0, 33);
   FitReport report;
   const Coefficients found = fit(p.directions, p.weights, p.values, 2, {.degree = 90}, host, report);
   CHECK(report.method == FitMethod::iterative);
@@ -141,7 +141,7 @@ TEST_CASE("Degree 90 is recovered from 30 thousand samples") {
 
 TEST_CASE("High degrees: the residual is orthogonal to the basis, in the same bits for any number of threads") {
   // Samples for which gaps between them matter.
-  const Problem p(80, 3, 18'000, 0.3, 34);
+  const LargeProblem p(80, 3, 18'000, 0.3, 34);
   FitReport report;
   base::Host one, three;
   one.thread_count = 1;
@@ -153,7 +153,7 @@ TEST_CASE("High degrees: the residual is orthogonal to the basis, in the same bi
 }
 
 TEST_CASE("High degrees: smoothing minimizes the sum with the squared Laplacian" * doctest::test_suite("long")) {
-  const Problem p(80, 1, 12'000, 0.3, 35);
+  const LargeProblem p(80, 1, 12'000, 0.3, 35);
   constexpr double smoothing = 1e-5;
   FitReport report;
   const Coefficients found =

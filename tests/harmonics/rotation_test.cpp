@@ -13,13 +13,13 @@
 #include "harmonics/rotations/correlation_search.h"
 #include "harmonics/rotations/generators.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 Matrix3 random_rotation(Samples& samples) {
   return Eigen::Quaterniond(samples.normal(), samples.normal(), samples.normal(), samples.normal())

@@ -12,13 +12,13 @@
 
 #include "harmonics/rotations/rotation.h"
 #include "samples.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::harmonics;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 std::vector<double> random_numbers(std::size_t count, unsigned seed) {
   Samples samples(seed);

@@ -10,6 +10,7 @@
 #include "hexmesh/strategies/hex_meshing.h"
 #include "mesh/search/measures.h"
 #include "mesh/shapes/make_shape.h"
+#include "tests/base/quiet_host.h"
 #include "tests/volume_map/block_solid.h"
 #include "volume_map/solid/cavity_placement.h"
 #include "volume_map/solid/solid_polycube.h"
@@ -17,15 +18,15 @@
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using orbicube::test::host;
+using volume_map::test::BlockSolid;
 
 namespace {
 
-const base::Host host;
-
 // Blocks of a cube of three without the middle one.
-std::vector<test::Block> shell() {
+std::vector<volume_map::test::Block> shell() {
   constexpr int size = 3;
-  std::vector<test::Block> blocks;
+  std::vector<volume_map::test::Block> blocks;
   for (int x = 0; x < size; ++x) {
     for (int y = 0; y < size; ++y) {
       for (int z = 0; z < size; ++z) {
@@ -44,7 +45,7 @@ TEST_CASE("A cavity is placed where the map of the surface around it has it, tur
   const Eigen::Matrix3d own_turn =
       (Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()) * Eigen::AngleAxisd(M_PI, Vector3::UnitY())).toRotationMatrix();
   const Eigen::Matrix3d exact = outer_turn.array().round(), own = own_turn.array().round();
-  test::BlockSolid outer(test::angle, 4, 0, 0), cavity({{0, 0, 0}}, 3, 0, 0);
+  BlockSolid outer(volume_map::test::angle, 4, 0, 0), cavity({{0, 0, 0}}, 3, 0, 0);
   const Vector3 stretch(2, 3, 2.5), shift(7, -1, 2);
   const auto wanted = [&](const Vector3& p) { return Vector3(exact * stretch.cwiseProduct(p) + shift); };
   for (std::size_t v = 0; v < outer.map.positions.size(); ++v)
@@ -62,7 +63,7 @@ TEST_CASE("A cavity is placed where the map of the surface around it has it, tur
 }
 
 TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and hexahedra between both walls") {
-  const test::BlockSolid block(shell(), 3, 0.5, 0.2);
+  const BlockSolid block(shell(), 3, 0.5, 0.2);
   REQUIRE(block.certificate == "");
   const std::size_t outer = block.map.polycube.size();
   const polycube::Construction made =

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "feature_requests.h"
 #include "hexmesh/captured/captured_features.h"
 #include "hexmesh/captured/feature_bound.h"
 #include "hexmesh/captured/feature_choice.h"
@@ -15,13 +16,14 @@
 #include "hexmesh/hexmesh.h"
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/shapes/make_shape.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::hexmesh;
+using hexmesh::test::by_angles;
+using orbicube::test::host;
 
 namespace {
-
-const base::Host host;
 
 mesh::Mesh octahedron(double height) {
   mesh::Mesh m(host.memory);
@@ -50,8 +52,6 @@ mesh::Mesh cube_surface() {
   m.triangles = halves_of(cube.quads, host.memory);
   return m;
 }
-
-const FeatureRequest by_angles = {Features::angles, 40, {}, {}};
 
 }  // namespace
 

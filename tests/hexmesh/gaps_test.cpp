@@ -16,16 +16,16 @@
 #include "mesh/search/intersections.h"
 #include "mesh/search/nearest.h"
 #include "mesh/topology/topology.h"
+#include "tests/base/quiet_host.h"
 #include "volume_map/solid/gap_widening.h"
 #include "volume_map/solid/solid_polycube.h"
 
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using orbicube::test::host;
 
 namespace {
-
-const base::Host host;
 
 HexQuality quality_of(const HexMesh& mesh) {
   HexQuality quality = measure_hexahedra(mesh.positions, mesh.hexahedra, host);

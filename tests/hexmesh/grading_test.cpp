@@ -9,18 +9,19 @@
 #include <vector>
 
 #include "base/random.h"
+#include "feature_requests.h"
 #include "hexmesh/captured/feature_choice.h"
 #include "hexmesh/features/grading/graded_search.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "mesh/search/measures.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::hexmesh;
+using hexmesh::test::by_angles;
+using orbicube::test::host;
 
 namespace {
-
-const base::Host host;
-const FeatureRequest by_angles = {Features::angles, 40, {}, {}};
 
 // A block of 2.05 x 1.5 x 1 with a slot of 0.05 from above, half a unit deep.
 mesh::Mesh slotted_block() {

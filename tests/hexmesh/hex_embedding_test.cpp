@@ -10,14 +10,14 @@
 #include "bent_bar.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/strategies/hex_draft.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using orbicube::test::host;
 
 namespace {
-
-const base::Host host;
 
 // A cube of cells, with a hole of given cells in the middle.
 HexMesh box(int n, int hole, double scale, const Vector3& shift) {

@@ -22,7 +22,7 @@ using mesh::Triangle;
 
 namespace {
 
-struct Surface : test::BoxSurface {
+struct MadeSurface : volume_map::test::BoxSurface {
   // A rod of `sides` sides and radius 1 along z.
   void add_rod(int sides, double length) {
     const auto n = static_cast<Index>(sides);
@@ -47,7 +47,7 @@ struct Surface : test::BoxSurface {
   }
 };
 
-double distance(const Surface& a, const Surface& b, double tolerance) {
+double distance(const MadeSurface& a, const MadeSurface& b, double tolerance) {
   return hausdorff_distance(a.positions, a.triangles, b.positions, b.triangles, tolerance, base::Host());
 }
 
@@ -64,8 +64,8 @@ struct Box {
 };
 
 // Around the z axis, with radii 1 and `thickness`, and z times `flattening`.
-Surface ring(double thickness, double flattening) {
-  Surface result;
+MadeSurface ring(double thickness, double flattening) {
+  MadeSurface result;
   constexpr Index around = 64, across = 8;
   for (Index i = 0; i < around; ++i) {
     for (Index k = 0; k < across; ++k) {
@@ -84,7 +84,7 @@ Surface ring(double thickness, double flattening) {
 
 TEST_CASE("The Hausdorff distance is found inside of triangles") {
   // Slivers along the sides of a triangle: the farthest point is the center of its inscribed circle.
-  Surface whole, sides;
+  MadeSurface whole, sides;
   const Vector3 a(0, 0, 0), b(4, 0, 0), c(0, 3, 0), up(0, 0, 1e-9);
   whole.add_triangle(a, b, c);
   sides.add_triangle(a, b, 0.5 * (a + b) + up);
@@ -99,7 +99,7 @@ TEST_CASE("The Hausdorff distance is found inside of triangles") {
 }
 
 TEST_CASE("Surfaces that are the same have no distance, and one that is shifted has the shift") {
-  Surface box, shifted;
+  MadeSurface box, shifted;
   box.add_box({0, 0, 0}, {3, 2, 1});
   shifted.add_box({0, 0, 0.125}, {3, 2, 1});
   CHECK(distance(box, box, 0.005) < 1e-11);
@@ -107,11 +107,11 @@ TEST_CASE("Surfaces that are the same have no distance, and one that is shifted 
 }
 
 TEST_CASE("Figures of a box are those of its corners, at any size") {
-  Surface surface;
+  MadeSurface surface;
   surface.add_box({0, 0, 0}, {1, 1, 1});
   Box box({1, 1, 1.25});
   for (const double size : {1.0, 1e300, 1e-300, 1e-30}) {
-    Surface s = surface;
+    MadeSurface s = surface;
     Box b = box;
     for (Vector3& p : s.positions)
       p *= size;
@@ -126,20 +126,20 @@ TEST_CASE("Figures of a box are those of its corners, at any size") {
 }
 
 TEST_CASE("Straight rods and plates are filled in a space where they are thick, other shapes in their own") {
-  const auto space_of = [](const Surface& s) {
+  const auto space_of = [](const MadeSurface& s) {
     return WorkingSpace(s.positions, s.triangles, size_exponent(s.positions));
   };
-  Surface cube, rod, plate;
+  MadeSurface cube, rod, plate;
   cube.add_box({3, 4, 5}, {1, 2, 15});
   CHECK(space_of(cube).same());
   rod.add_rod(12, 2000);
   plate.add_box({7, 0, 0}, {1000, 900, 1});
-  for (Surface* s : {&rod, &plate}) {
+  for (MadeSurface* s : {&rod, &plate}) {
     s->turn(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()));
     const WorkingSpace space = space_of(*s);
     REQUIRE_FALSE(space.same());
     CHECK(space.exponent() == 0);
-    Surface within = *s;
+    MadeSurface within = *s;
     space.take(within.positions);
     double largest = 0;
     for (std::size_t v = 0; v < within.positions.size(); ++v) {
@@ -155,10 +155,10 @@ TEST_CASE("Straight rods and plates are filled in a space where they are thick, 
 }
 
 TEST_CASE("Coordinates far from 1 are divided by a power of two") {
-  Surface box;
+  MadeSurface box;
   box.add_box({0, 0, 0}, {1, 2, 3});
   for (const int exponent : {900, -900}) {
-    Surface s = box;
+    MadeSurface s = box;
     for (Vector3& p : s.positions)
       p = times_power_of_two(p, exponent);
     const WorkingSpace space(s.positions, s.triangles, size_exponent(s.positions));
@@ -177,7 +177,7 @@ TEST_CASE("More pieces than cells are refused") {
 }
 
 TEST_CASE("A speck beside a ball has figures of its own, and does not count as much as the ball") {
-  Surface balls;
+  MadeSurface balls;
   const base::Host host;
   // Two octahedra, one a hundredth as large.
   const auto add = [&](const Vector3& center, double radius) {

@@ -16,6 +16,7 @@
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using volume_map::test::BlockSolid;
 
 namespace {
 
@@ -62,7 +63,7 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
   };
   // Without the tetrahedra along edges three, one and seven hexahedra end so.
   for (const Bar& bar : {Bar{0, 0.02, 30}, Bar{8, 0.02, 150}, Bar{8, 2, 30}}) {
-    test::BlockSolid block({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, 4, 0, 0);
+    BlockSolid block({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, 4, 0, 0);
     REQUIRE(block.certificate == "");
     // Bent to nearly a ring.
     for (std::size_t v = 0; v < block.map.positions.size(); ++v) {
@@ -85,7 +86,7 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
 }
 
 TEST_CASE("The search makes hexahedra better on average, none worse than the worst, and leaves the boundary near") {
-  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  BlockSolid block(volume_map::test::angle, 3, 0.8, 0.4);
   REQUIRE(block.certificate == "");
   const base::Host host;
   Draft draft(block.map, 400, host);
@@ -119,7 +120,7 @@ TEST_CASE("The search makes hexahedra better on average, none worse than the wor
 
 TEST_CASE(
     "A boundary that the surface is too far from somewhere is brought there, and stays valid and on the surface") {
-  test::BlockSolid block(test::angle, 4, 0.8, 0.4);
+  BlockSolid block(volume_map::test::angle, 4, 0.8, 0.4);
   REQUIRE(block.certificate == "");
   // A protrusion: what is near to a corner is drawn out.
   const Vector3 corner = block.map.positions[0];

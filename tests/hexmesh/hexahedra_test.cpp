@@ -17,9 +17,10 @@
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using volume_map::test::BlockSolid;
 
 TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same for any number of threads") {
-  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  BlockSolid block(volume_map::test::angle, 3, 0.8, 0.4);
   block.cut(7);
   REQUIRE(block.certificate == "");
   double volume = 0;
@@ -91,7 +92,7 @@ TEST_CASE("The distance of two surfaces is that of the farthest point, whichever
 }
 
 TEST_CASE("Where a mesh is far from the surface there are more cells, until it is near or there may be no more") {
-  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  BlockSolid block(volume_map::test::angle, 3, 0.8, 0.4);
   block.cut(7);
   REQUIRE(block.certificate == "");
   const base::Host host;

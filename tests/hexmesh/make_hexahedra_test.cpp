@@ -12,17 +12,17 @@
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/shapes/make_shape.h"
+#include "tests/base/quiet_host.h"
 #include "tests/volume_map/block_solid.h"
 
 using namespace orbicube;
 using hexmesh::Hexahedra;
 using hexmesh::Method;
 using hexmesh::Options;
+using orbicube::test::host;
 using volume_map::InputFindings;
 
 namespace {
-
-const base::Host host;
 
 Options few(Method method = Method::automatic) {
   Options options;

@@ -16,10 +16,11 @@
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using volume_map::test::BlockSolid;
 
 namespace {
 
-HexMesh grid_of(const test::BlockSolid& block, double cell_length) {
+HexMesh grid_of(const BlockSolid& block, double cell_length) {
   const base::Host host;
   const IntegerDomain domain(polycube::make_patch_graph(block.map, host), cell_length, host);
   return sample_hexahedra(domain, block.map, host);
@@ -29,7 +30,7 @@ HexMesh grid_of(const test::BlockSolid& block, double cell_length) {
 
 TEST_CASE("A layer on any of the faces of a box leaves a conforming mesh with the same boundary") {
   const base::Host host;
-  const test::BlockSolid box({{0, 0, 0}}, 3, 0, 0);
+  const BlockSolid box({{0, 0, 0}}, 3, 0, 0);
   REQUIRE(box.certificate == "");
   const HexMesh grid = grid_of(box, 1.0 / 3);
   REQUIRE(grid.hexahedra.size() == 27);
@@ -74,11 +75,11 @@ TEST_CASE("A layer on any of the faces of a box leaves a conforming mesh with th
 
 TEST_CASE("Faces that meet in right angles are not padded, round ones are, and those along an inner edge alike") {
   const base::Host host;
-  const test::BlockSolid sharp(test::angle, 4, 0, 0);
+  const BlockSolid sharp(volume_map::test::angle, 4, 0, 0);
   for (const std::uint8_t face : choose_padding(grid_of(sharp, 0.25), host))
     CHECK(face == 0);
   // A block in the shape of a ball.
-  test::BlockSolid round({{0, 0, 0}}, 6, 0, 0);
+  BlockSolid round({{0, 0, 0}}, 6, 0, 0);
   for (std::size_t v = 0; v < round.map.positions.size(); ++v) {
     const Vector3 p = 2 * round.map.polycube[v] - Vector3::Ones();
     round.map.positions[v] = p.lpNorm<Eigen::Infinity>() * p.normalized();
@@ -88,7 +89,7 @@ TEST_CASE("Faces that meet in right angles are not padded, round ones are, and t
   for (const std::uint8_t face : all)
     CHECK(face == 1);
   // One whose upper face is a dome that goes on into its neighbors, which meet the lower one at right angles.
-  test::BlockSolid dome({{0, 0, 0}}, 6, 0, 0);
+  BlockSolid dome({{0, 0, 0}}, 6, 0, 0);
   for (std::size_t v = 0; v < dome.map.positions.size(); ++v) {
     Vector3 p = dome.map.polycube[v];
     const double edge = std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5));

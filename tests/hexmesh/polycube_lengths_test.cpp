@@ -16,10 +16,11 @@
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using volume_map::test::BlockSolid;
 
 TEST_CASE("Planes of a polycube are moved to where lengths on it are those in space") {
   const base::Host host;
-  test::BlockSolid box({{0, 0, 0}}, 8, 0, 0);
+  BlockSolid box({{0, 0, 0}}, 8, 0, 0);
   // Three times as long beyond the first quarter, and the whole half as high.
   for (std::size_t v = 0; v < box.map.positions.size(); ++v) {
     const Vector3 p = box.map.polycube[v];
@@ -40,7 +41,7 @@ TEST_CASE("Whatever the lengths in space, the polycube of even lengths is certif
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> exponent(-3, 3);
   for (int run = 0; run < 20; ++run) {
-    test::BlockSolid block(test::angle, 2 + run % 4, 0.8, 0.4);
+    BlockSolid block(volume_map::test::angle, 2 + run % 4, 0.8, 0.4);
     block.cut(static_cast<unsigned>(run));
     for (Vector3& p : block.map.positions)
       p *= std::exp(exponent(random));
@@ -69,13 +70,13 @@ TEST_CASE(
   CHECK(without.quality.valid());
   CHECK(!without.follows_sharp_edges);
   CHECK(made.quality.min_scaled_jacobian >= without.quality.min_scaled_jacobian - 1e-6);
-  const test::BlockSolid round(test::angle, 4, 0.8, 0.4);
+  const BlockSolid round(volume_map::test::angle, 4, 0.8, 0.4);
   CHECK(!map_with_sharp_edges(round.map, 100, host));
 }
 
 TEST_CASE("Sharp edges are left alone where the polycube has edges for less than three fifths of them") {
   const base::Host host;
-  test::BlockSolid bar(test::bar(2), 6, 0, 0);
+  BlockSolid bar(volume_map::test::bar(2), 6, 0, 0);
   CHECK(map_with_sharp_edges(bar.map, 40, host));
   // Every second row of vertices across top and bottom becomes a ridge.
   for (std::size_t v = 0; v < bar.map.positions.size(); ++v) {

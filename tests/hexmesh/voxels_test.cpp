@@ -14,15 +14,16 @@
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
 #include "polycube/map/construction.h"
+#include "tests/base/quiet_host.h"
 #include "tests/volume_map/block_solid.h"
 
 using namespace orbicube;
 using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
+using orbicube::test::host;
+using volume_map::test::BlockSolid;
 
 namespace {
-
-const base::Host host;
 
 mesh::Topology boundary_of(const HexMesh& hexes) {
   mesh::Mesh m;
@@ -87,7 +88,7 @@ TEST_CASE("Without a polycube, and where its hexahedra are poor, the cells of a 
   CHECK_THROWS_AS(make_hexahedra(solid, {.method = HexMethod::polycube, .cells = 1000}, host), base::Error);
 
   // A map to a cube, of which all but a little is drawn out thin: nothing of that has room on the polycube.
-  test::BlockSolid block({{0, 0, 0}}, 4, 0, 0);
+  BlockSolid block({{0, 0, 0}}, 4, 0, 0);
   for (Vector3& p : block.map.positions)
     p[2] = p[2] < 1 ? 8 * p[2] : p[2] + 7;
   const PolycubeSurface thin = {block.map};
@@ -97,7 +98,7 @@ TEST_CASE("Without a polycube, and where its hexahedra are poor, the cells of a 
 }
 
 TEST_CASE("Where a polycube serves its hexahedra stay, and are the same for any number of threads as those of a grid") {
-  const test::BlockSolid block(test::angle, 4, 0.5, 0.3);
+  const BlockSolid block(volume_map::test::angle, 4, 0.5, 0.3);
   REQUIRE(block.certificate == "");
   CHECK(!make_hexahedra({block.map}, {.cells = 300, .rounds = 8, .distance = 0}, host).grid_based);
   std::vector<Vector3> first;

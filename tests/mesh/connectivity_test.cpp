@@ -16,7 +16,7 @@ using namespace orbicube::mesh;
 namespace {
 
 // A grid of m x n squares, each cut in two; `closed` joins opposite sides to a torus.
-std::vector<Triangle> grid(Index m, Index n, bool closed) {
+std::vector<Triangle> grid_of_squares(Index m, Index n, bool closed) {
   const Index rows = closed ? m : m + 1, columns = closed ? n : n + 1;
   const auto at = [&](Index i, Index j) { return i % rows * columns + j % columns; };
   std::vector<Triangle> triangles;
@@ -43,7 +43,7 @@ std::string refusal(std::size_t vertices, const std::vector<Triangle>& triangles
 TEST_CASE(
     "Opposite half-edges join the same vertices the other way, and walks see every triangle of a vertex in turn") {
   for (const bool closed : {true, false}) {
-    const auto triangles = grid(5, 4, closed);
+    const auto triangles = grid_of_squares(5, 4, closed);
     const std::size_t vertices = closed ? 20 : 30;
     const Connectivity c(vertices + 1, triangles, base::Host());
     std::size_t boundary = 0;

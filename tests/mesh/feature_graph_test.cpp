@@ -9,13 +9,13 @@
 #include "base/error.h"
 #include "mesh/features/feature_graph.h"
 #include "mesh/files/feature_tags.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 // A prism over a polygon, with walls of one quad each cut along a diagonal and its ends as fans about vertex 0 and 1.
 Mesh prism(std::span<const double> degrees, double height) {
@@ -37,7 +37,7 @@ Mesh prism(std::span<const double> degrees, double height) {
   return m;
 }
 
-std::vector<double> regular(int sides) {
+std::vector<double> regular_polygon(int sides) {
   std::vector<double> degrees;
   for (int k = 0; k < sides; ++k)
     degrees.push_back(360.0 * k / sides);
@@ -51,7 +51,7 @@ FeatureGraph graph_of(const Mesh& m, const FeatureOptions& options) {
 }  // namespace
 
 TEST_CASE("A cube has eight corners, twelve arcs and six patches, each a disk") {
-  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const Mesh cube = prism(regular_polygon(4), std::numbers::sqrt2);
   const FeatureGraph graph = graph_of(cube, {});
   CHECK(graph.corners.size() == 8);
   CHECK(std::none_of(graph.corners.begin(), graph.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
@@ -63,7 +63,7 @@ TEST_CASE("A cube has eight corners, twelve arcs and six patches, each a disk") 
 }
 
 TEST_CASE("Tagged edges are features whatever their angle, and without sharp edges the only ones") {
-  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const Mesh cube = prism(regular_polygon(4), std::numbers::sqrt2);
   // The border of the bottom and a diagonal of it through its middle.
   const std::array<Edge, 6> tags = {{{2, 4}, {4, 6}, {6, 8}, {8, 2}, {2, 0}, {0, 6}}};
   FeatureGraph graph = graph_of(cube, {.sharp = false, .edges = tags});
@@ -92,11 +92,11 @@ TEST_CASE("Weak lines are those at which the surface turns more than beside them
   CHECK(graph_of(part, {.angle = 60, .lines = tag}).sharp_edges == 14);
   CHECK(graph_of(part, {.angle = 60, .lines = tag, .weak_lines = true}).sharp_edges == 15);
   // A line goes no further along edges that are features already: the flat diagonal of a wall beside a sharp edge.
-  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const Mesh cube = prism(regular_polygon(4), std::numbers::sqrt2);
   const std::array<Edge, 2> bent = {{{2, 4}, {2, 5}}};
   CHECK(graph_of(cube, {.lines = bent, .weak_lines = true}).sharp_edges == 12);
   // The seam of a cylinder turns as much as any line beside it.
-  const Mesh cylinder = prism(regular(24), 2);
+  const Mesh cylinder = prism(regular_polygon(24), 2);
   const std::array<Edge, 1> seam = {vertical(5)};
   const FeatureGraph round = graph_of(cylinder, {.lines = seam, .weak_lines = true});
   CHECK(round.sharp_edges == 48);
@@ -104,7 +104,7 @@ TEST_CASE("Weak lines are those at which the surface turns more than beside them
 }
 
 TEST_CASE("Tags follow the vertices that are welded") {
-  Mesh m = prism(regular(4), 1);
+  Mesh m = prism(regular_polygon(4), 1);
   FeatureTags tags;
   const std::array<Index, 4> line = {2, 4, 10, 6};
   m.positions.push_back(m.positions[4]);  // 10
@@ -119,7 +119,7 @@ TEST_CASE("Tags follow the vertices that are welded") {
 
 TEST_CASE("A line of noise is left out, and one that fades goes on where the surface still turns") {
   // A prism whose lower edge turns by 90 degrees; along its upper ends some walls are nearly level with the end.
-  Mesh prism24 = prism(regular(24), 2);
+  Mesh prism24 = prism(regular_polygon(24), 2);
   const FeatureGraph whole = graph_of(prism24, {.angle = 80});
   CHECK(whole.arcs.size() == 6);  // two circles, three arcs each
   // Two neighboring vertices of the upper circle lower: the edges beside them turn by less than 80 degrees, but by more
@@ -163,7 +163,7 @@ TEST_CASE("Where a line bends again soon there is a bend of an arc in place of a
 }
 
 TEST_CASE("Edges that are left out join patches, and take with them what would end inside one") {
-  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const Mesh cube = prism(regular_polygon(4), std::numbers::sqrt2);
   // One edge of the lower end; then another one at the same corner, whose third edge would end there.
   const std::vector<Edge> edges = {{2, 4}, {4, 6}};
   const FeatureGraph one = graph_of(cube, {.without = std::span(edges).first(1)});

@@ -29,12 +29,6 @@ std::string stl() {
   return text + "endsolid part\n";
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
-}
-
 std::string in_capitals(std::string text) {
   for (char& c : text)
     c = c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c;

@@ -14,17 +14,12 @@ namespace {
 
 const std::string corners_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string faces_obj = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-const std::array<Triangle, 4> tetrahedron = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+const std::array<Triangle, 4> tetrahedron_triangles = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 
 bool is_tetrahedron(const Mesh& mesh) {
   return mesh.positions.size() == 4 && mesh.positions[3] == Vector3(0, 0, 1) &&
-         std::equal(mesh.triangles.begin(), mesh.triangles.end(), tetrahedron.begin(), tetrahedron.end());
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
+         std::equal(mesh.triangles.begin(), mesh.triangles.end(), tetrahedron_triangles.begin(),
+                    tetrahedron_triangles.end());
 }
 
 std::string bytes_of(auto number, std::endian order = std::endian::little) {
@@ -144,7 +139,7 @@ TEST_CASE("PLY: elements and properties in any order and of any type, in all thr
       binary += put(std::uint8_t{9}) + put(static_cast<float>(p.x())) + put(std::uint8_t{1}) + put(7.0F) + put(p.y()) +
                 put(static_cast<std::int16_t>(p.z()));
     }
-    for (const Triangle& t : tetrahedron)
+    for (const Triangle& t : tetrahedron_triangles)
       binary += put(1) + put(std::uint8_t{3}) + put(t[0]) + put(t[1]) + put(t[2]);
     ReadReport report;
     CHECK(is_tetrahedron(read_text(Format::ply, binary, {}, &report)));

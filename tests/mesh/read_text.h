@@ -1,4 +1,4 @@
-// What the tests of readers share: reading from a string, and how reading ended.
+// What the tests of readers share: reading from a string, how reading ended, and changes of a text.
 #pragma once
 
 #include <string>
@@ -28,6 +28,13 @@ inline std::string outcome(Format format, std::string_view text) {
 inline bool ends_as(Format format, std::string_view text, std::string_view kind, std::string_view message = "") {
   const std::string ended = outcome(format, text);
   return ended.starts_with(std::string(kind) + ":") && ended.find(message) != std::string::npos;
+}
+
+// Everywhere in the text.
+inline std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
 }
 
 }  // namespace orbicube::mesh

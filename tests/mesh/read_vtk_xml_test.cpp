@@ -159,23 +159,25 @@ TEST_CASE("VTK XML: what cannot be read is refused with the array") {
   const std::string text = grid({});
   CHECK(ends_as(format, "solid\n", "bad-magic"));
   CHECK(ends_as(format, "<svg/>", "bad-magic", "VTKFile"));
-  CHECK(ends_as(format, replaced(text, "UnstructuredGrid", "ImageData"), "unsupported-format", "'ImageData'"));
-  CHECK(ends_as(format, replaced(text, "<UnstructuredGrid>", "<PolyData>"), "parse"));
+  CHECK(ends_as(format, replaced_once(text, "UnstructuredGrid", "ImageData"), "unsupported-format", "'ImageData'"));
+  CHECK(ends_as(format, replaced_once(text, "<UnstructuredGrid>", "<PolyData>"), "parse"));
   CHECK(ends_as(format, "<VTKFile type=\"PolyData\"></VTKFile>", "empty-mesh"));
-  CHECK(ends_as(format, replaced(text, " byte_order=", " compressor=\"vtkLZ4DataCompressor\" byte_order="),
+  CHECK(ends_as(format, replaced_once(text, " byte_order=", " compressor=\"vtkLZ4DataCompressor\" byte_order="),
                 "unsupported", "LZ4"));
-  CHECK(ends_as(format, replaced(text, "NumberOfCells=\"3\"", "NumberOfCells=\"-3\""), "parse", "'-3'"));
-  CHECK(ends_as(format, replaced(text, "NumberOfCells=\"3\"", "NumberOfCells=\"4\""), "parse", "3 offsets of 4 cells"));
-  CHECK(ends_as(format, replaced(text, "NumberOfPoints=\"8\"", "NumberOfPoints=\"18446744073709551615\""), "parse"));
-  CHECK(ends_as(format, replaced(text, "\n1.000000\n", "\nnan\n"), "non-finite"));
-  CHECK(ends_as(format, replaced(text, "\n1.000000\n", "\n1e999\n"), "non-finite"));
-  CHECK(ends_as(format, replaced(text, "\n1.000000\n", "\none\n"), "parse", "'one'"));
+  CHECK(ends_as(format, replaced_once(text, "NumberOfCells=\"3\"", "NumberOfCells=\"-3\""), "parse", "'-3'"));
+  CHECK(ends_as(format, replaced_once(text, "NumberOfCells=\"3\"", "NumberOfCells=\"4\""), "parse",
+                "3 offsets of 4 cells"));
   CHECK(
-      ends_as(format, replaced(text, "Name=\"offsets\"", "Name=\"offset\""), "missing-attribute", "offsets of Cells"));
-  CHECK(ends_as(format, replaced(text, "Name=\"offsets\"", "Name=\"connectivity\""), "parse", "twice"));
-  CHECK(ends_as(format, replaced(text, "</Cells>", "</Points>"), "parse", "not open"));
-  CHECK(ends_as(format, replaced(text, "\"Int32\" Name=\"connectivity\"", "\"Float32\" Name=\"connectivity\""), "parse",
-                "real numbers"));
+      ends_as(format, replaced_once(text, "NumberOfPoints=\"8\"", "NumberOfPoints=\"18446744073709551615\""), "parse"));
+  CHECK(ends_as(format, replaced_once(text, "\n1.000000\n", "\nnan\n"), "non-finite"));
+  CHECK(ends_as(format, replaced_once(text, "\n1.000000\n", "\n1e999\n"), "non-finite"));
+  CHECK(ends_as(format, replaced_once(text, "\n1.000000\n", "\none\n"), "parse", "'one'"));
+  CHECK(ends_as(format, replaced_once(text, "Name=\"offsets\"", "Name=\"offset\""), "missing-attribute",
+                "offsets of Cells"));
+  CHECK(ends_as(format, replaced_once(text, "Name=\"offsets\"", "Name=\"connectivity\""), "parse", "twice"));
+  CHECK(ends_as(format, replaced_once(text, "</Cells>", "</Points>"), "parse", "not open"));
+  CHECK(ends_as(format, replaced_once(text, "\"Int32\" Name=\"connectivity\"", "\"Float32\" Name=\"connectivity\""),
+                "parse", "real numbers"));
   CHECK(ends_as(format, grid({}, 8), "index-range", "vertex index 8 of 8 points"));
   CHECK(ends_as(format, grid({}, -1), "index-range", "vertex index -1"));
   CHECK(ends_as(format, grid({}, 7, 14), "index-range", "offset 14"));
@@ -187,15 +189,16 @@ TEST_CASE("VTK XML: what cannot be read is refused with the array") {
   for (int i = 0; i < 1000; ++i)
     deep += "<a>";
   CHECK(ends_as(format, deep, "bad-magic"));
-  CHECK(ends_as(format, replaced(text, "<Points>", deep + "<Points>"), "depth-limit"));
+  CHECK(ends_as(format, replaced_once(text, "<Points>", deep + "<Points>"), "depth-limit"));
 }
 
 TEST_CASE("VTK XML: sizes that a file claims are compared with its bytes") {
   const Storage raw = {.form = Form::appended_raw};
   const std::string text = grid(raw);
-  CHECK(outcome(Format::vtu, replaced(text, "offset=\"0\"", "offset=\"99999999999\"")) == "accept");  // of data
-  CHECK(ends_as(Format::vtu, replaced(text, "offset=\"68\"", "offset=\"99999999999\""), "index-range", "AppendedData"));
-  CHECK(ends_as(Format::vtu, replaced(text, "offset=\"68\"", "offset=\"69\""), "parse", "0 numbers"));
+  CHECK(outcome(Format::vtu, replaced_once(text, "offset=\"0\"", "offset=\"99999999999\"")) == "accept");  // of data
+  CHECK(ends_as(Format::vtu, replaced_once(text, "offset=\"68\"", "offset=\"99999999999\""), "index-range",
+                "AppendedData"));
+  CHECK(ends_as(Format::vtu, replaced_once(text, "offset=\"68\"", "offset=\"69\""), "parse", "0 numbers"));
   const auto inside = [](const std::string& head) {
     return "<VTKFile type=\"PolyData\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"><PolyData>"
            "<Piece NumberOfPoints=\"2\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "

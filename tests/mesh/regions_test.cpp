@@ -21,7 +21,7 @@ namespace {
 using Numbers = Array<std::int32_t>;
 
 // Two cubes with a pyramid of two tetrahedra on one, and faces.
-Mesh solid() {
+Mesh solid_with_regions() {
   Mesh mesh;
   for (int i = 0; i < 12; ++i)
     mesh.positions.emplace_back(i / 2 % 3, i % 2, i / 6);
@@ -37,8 +37,8 @@ Mesh solid() {
   return mesh;
 }
 
-Mesh surface() {
-  Mesh mesh = solid();
+Mesh surface_with_regions() {
+  Mesh mesh = solid_with_regions();
   mesh.tetrahedra.clear();
   mesh.hexahedra.clear();
   mesh.regions.tetrahedra.clear();
@@ -46,12 +46,9 @@ Mesh surface() {
   return mesh;
 }
 
-struct Kind {
-  const char* file;
-  bool binary;
-};
-constexpr Kind kinds[] = {{"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true},  {"a.msh", false}, {"a.inp", false},
-                          {"a.vtp", false},  {"b.vtp", true},  {"a.vtu", false}, {"b.vtu", true}};
+constexpr FileKind kinds_with_regions[] = {{"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true},
+                                           {"a.msh", false},  {"a.inp", false}, {"a.vtp", false},
+                                           {"b.vtp", true},   {"a.vtu", false}, {"b.vtu", true}};
 
 bool same(const Mesh& a, const Mesh& b) {
   return a.positions == b.positions && a.triangles == b.triangles && a.tetrahedra == b.tetrahedra &&
@@ -74,10 +71,10 @@ const std::string vtk_faces =
 
 TEST_CASE("Regions come back from every format that holds them, and other formats leave them out") {
   const TemporaryFolder folder;
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds_with_regions) {
     CAPTURE(kind.file);
     REQUIRE(holds(kind.file, Holds::regions));
-    for (const Mesh& mesh : {surface(), solid()}) {
+    for (const Mesh& mesh : {surface_with_regions(), solid_with_regions()}) {
       if (!mesh.hexahedra.empty() && !holds(kind.file, Holds::cells)) continue;
       write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
       ReadReport report;
@@ -85,16 +82,16 @@ TEST_CASE("Regions come back from every format that holds them, and other format
       CHECK(report.notes.empty());
     }
   }
-  write_mesh(folder / "a.ply", surface(), {}, base::Host());
+  write_mesh(folder / "a.ply", surface_with_regions(), {}, base::Host());
   CHECK(read_mesh(folder / "a.ply", {}, base::Host()).regions.empty());
 }
 
 TEST_CASE("Negative regions come back, also beside cells without regions") {
   const TemporaryFolder folder;
-  Mesh mesh = solid();
+  Mesh mesh = solid_with_regions();
   mesh.regions.triangles = Numbers{-3, -3, 5, 0};
   mesh.regions.hexahedra.clear();
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds_with_regions) {
     if (!holds(kind.file, Holds::cells)) continue;
     CAPTURE(kind.file);
     write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
@@ -104,7 +101,7 @@ TEST_CASE("Negative regions come back, also beside cells without regions") {
 
 TEST_CASE("A wrong number of regions is refused before a file is written") {
   const TemporaryFolder folder;
-  Mesh mesh = solid();
+  Mesh mesh = solid_with_regions();
   mesh.regions.hexahedra.push_back(1);
   for (const char* file : {"a.mesh", "a.vtu", "a.msh", "a.inp"})
     CHECK_THROWS_WITH_AS(write_mesh(folder / file, mesh, {}, base::Host()), "3 region numbers of 2 hexahedra",
@@ -296,7 +293,7 @@ TEST_CASE("New faces have the regions of the nearest triangles that look the sam
 }
 
 TEST_CASE("Points have the regions of the cells that they are in, or of the nearest") {
-  const Mesh mesh = solid();
+  const Mesh mesh = solid_with_regions();
   const auto region = [&](const Vector3& p) {
     const Numbers found = nearest_cell_regions(mesh, std::array{p}, base::Host());
     return found.empty() ? 0 : found[0];
@@ -306,7 +303,7 @@ TEST_CASE("Points have the regions of the cells that they are in, or of the near
   CHECK(region({9, 0.5, 0.5}) == 3);
   CHECK(region({0.7, 0.3, 1.1}) == 2'000'000'000);
   CHECK(region({0.3, 0.7, 1.1}) == 1);
-  Mesh without = solid();
+  Mesh without = solid_with_regions();
   without.regions.tetrahedra.clear();
   without.regions.hexahedra.clear();
   CHECK(nearest_cell_regions(without, std::array{Vector3(0, 0, 0)}, base::Host()).empty());
@@ -314,16 +311,16 @@ TEST_CASE("Points have the regions of the cells that they are in, or of the near
 
 TEST_CASE("Quadrilaterals are written with their regions and read as two triangles each") {
   const TemporaryFolder folder;
-  Mesh mesh = solid();
+  Mesh mesh = solid_with_regions();
   mesh.triangles.resize(1);
   mesh.regions.triangles.clear();
   const Array<Quad> quads = {{0, 1, 3, 2}, {4, 5, 11, 10}};
   const Numbers regions = {9, -8};
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds_with_regions) {
     CAPTURE(kind.file);
     const WriteOptions options = {.binary = kind.binary, .quads = quads, .quad_regions = regions};
     if (!holds(kind.file, Holds::cells)) {
-      CHECK_THROWS_AS(write_mesh(folder / kind.file, surface(), options, base::Host()), base::Error);
+      CHECK_THROWS_AS(write_mesh(folder / kind.file, surface_with_regions(), options, base::Host()), base::Error);
       continue;
     }
     write_mesh(folder / kind.file, mesh, options, base::Host());

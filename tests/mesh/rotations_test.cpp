@@ -11,7 +11,7 @@ using namespace orbicube::mesh;
 
 namespace {
 
-constexpr double rounding = 1e-15;
+constexpr double rounding_of_rotations = 1e-15;
 
 Vector3 random_vector(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -49,8 +49,8 @@ TEST_CASE("Between opposite directions there is half a turn") {
   for (int run = 0; run < 20; ++run) {
     const Vector3 a = run < 3 ? Vector3(Vector3::Unit(run)) : random_vector(random);
     const Eigen::Quaterniond turn = rotation_between(a, -2 * a);
-    CHECK(std::abs(turn.norm() - 1) < rounding);
-    CHECK((turn * a + a).norm() < 10 * rounding * a.norm());
+    CHECK(std::abs(turn.norm() - 1) < rounding_of_rotations);
+    CHECK((turn * a + a).norm() < 10 * rounding_of_rotations * a.norm());
   }
 }
 

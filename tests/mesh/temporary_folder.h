@@ -28,4 +28,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+// A file to write there; its name has the ending of its format.
+struct FileKind {
+  const char* file;
+  bool binary;
+};
+
 }  // namespace orbicube::mesh

@@ -12,13 +12,14 @@
 #include <vector>
 
 #include "base/error.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
+using test::host;
 
 namespace {
 
-const base::Host host;
 const double degrees_of_regular = std::acos(1.0 / 3) * 180 / std::acos(-1.0);
 // What rounding in a few dozen operations on numbers of size 1 can add up to.
 constexpr double rounding = 1e-13;

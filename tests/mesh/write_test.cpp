@@ -21,7 +21,7 @@ using namespace orbicube::mesh;
 
 namespace {
 
-std::string bytes_of(const std::filesystem::path& path) {
+std::string contents_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -68,21 +68,18 @@ Mesh solid() {
   return mesh;
 }
 
-struct Kind {
-  const char* file;
-  bool binary;
-};
-constexpr Kind kinds[] = {{"a.obj", false},   {"a.off", false},  {"a.ply", false}, {"b.ply", true},  {"a.stl", false},
-                          {"b.stl", true},    {"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true},  {"a.msh", false},
-                          {"a.white", false}, {"b.white", true}, {"a.inp", false}, {"a.vtp", false}, {"b.vtp", true},
-                          {"a.vtu", false},   {"b.vtu", true},   {"a.gii", false}, {"b.gii", true}};
+constexpr FileKind kinds[] = {{"a.obj", false}, {"a.off", false}, {"a.ply", false},   {"b.ply", true},
+                              {"a.stl", false}, {"b.stl", true},  {"a.mesh", false},  {"a.vtk", false},
+                              {"b.vtk", true},  {"a.msh", false}, {"a.white", false}, {"b.white", true},
+                              {"a.inp", false}, {"a.vtp", false}, {"b.vtp", true},    {"a.vtu", false},
+                              {"b.vtu", true},  {"a.gii", false}, {"b.gii", true}};
 
 }  // namespace
 
 TEST_CASE("Surfaces come back bit for bit from every format that keeps vertices") {
   const TemporaryFolder folder;
   const Mesh mesh = hard_numbers();
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     if (!holds(kind.file, Holds::polygons)) continue;
     CAPTURE(kind.file);
     write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
@@ -93,7 +90,7 @@ TEST_CASE("Surfaces come back bit for bit from every format that keeps vertices"
 TEST_CASE("Solids come back bit for bit, and surface formats refuse them") {
   const TemporaryFolder folder;
   const Mesh mesh = solid();
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     CAPTURE(kind.file);
     const std::string name = kind.file;
     if (holds(*format_of_path(name), Holds::cells)) {
@@ -149,7 +146,7 @@ TEST_CASE("FreeSurfer and GIFTI files keep vertices and triangles, binary ones t
 
 TEST_CASE("A mesh that cannot be written leaves the old file and nothing else") {
   const TemporaryFolder folder;
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     CAPTURE(kind.file);
     std::ofstream(folder / kind.file) << "old";
     const std::size_t files = folder.files();
@@ -159,7 +156,7 @@ TEST_CASE("A mesh that cannot be written leaves the old file and nothing else") 
     mesh = hard_numbers();
     mesh.triangles[2][1] = 3000;
     CHECK_THROWS_AS(write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host()), base::Error);
-    CHECK(bytes_of(folder / kind.file) == "old");
+    CHECK(contents_of(folder / kind.file) == "old");
     CHECK(folder.files() == files);
   }
   CHECK_THROWS_AS(write_mesh(folder / "a.xyz", hard_numbers(), {}, base::Host()), base::Error);
@@ -169,7 +166,7 @@ TEST_CASE("A mesh that cannot be written leaves the old file and nothing else") 
 TEST_CASE("Reading and writing end when the host wants it, and leave the old file") {
   const TemporaryFolder folder;
   const Mesh mesh = make_shape("sphere", {.triangles = 200'000}, base::Host());
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     CAPTURE(kind.file);
     base::Host host;
     host.on_progress = [&](const base::Progress& progress) {
@@ -186,7 +183,7 @@ TEST_CASE("Reading and writing end when the host wants it, and leave the old fil
     };
     std::ofstream(folder / kind.file) << "old";
     CHECK(cancelled([&] { write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, host); }));
-    CHECK(bytes_of(folder / kind.file) == "old");
+    CHECK(contents_of(folder / kind.file) == "old");
     write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
     CHECK(cancelled([&] { read_mesh(folder / kind.file, {}, host); }));
   }
@@ -199,7 +196,7 @@ TEST_CASE("Each row of the table of formats has its ending, and files that are t
     CAPTURE(row.name);
     CHECK(format_of_path("A" + std::string(row.ending)) == row.format);
     const auto is_tried = [&](bool binary) {
-      return std::any_of(std::begin(kinds), std::end(kinds), [&](const Kind& kind) {
+      return std::any_of(std::begin(kinds), std::end(kinds), [&](const FileKind& kind) {
         return std::string_view(kind.file).ends_with(row.ending) && kind.binary == binary;
       });
     };
@@ -216,12 +213,12 @@ TEST_CASE("A file cut short after any byte is refused, or is a mesh all the same
   const TemporaryFolder folder;
   const Mesh surface =
       read_text(Format::obj, "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     for (const Mesh& mesh : {surface, solid()}) {
       const std::string name = kind.file;
       if (!mesh.hexahedra.empty() && !holds(name, Holds::cells)) continue;
       write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
-      const std::string whole = bytes_of(folder / kind.file);
+      const std::string whole = contents_of(folder / kind.file);
       const Format format = *format_of_path(kind.file);
       std::size_t refused = 0;
       for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -243,12 +240,12 @@ TEST_CASE("A file cut short after any byte is refused, or is a mesh all the same
 TEST_CASE("A file with any byte changed is refused, or is a mesh all the same") {
   const TemporaryFolder folder;
   std::mt19937_64 engine(23);
-  for (const Kind& kind : kinds) {
+  for (const FileKind& kind : kinds) {
     const bool holds_cells = holds(kind.file, Holds::cells);
     write_mesh(folder / kind.file,
                holds_cells ? solid() : read_text(Format::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
                {.binary = kind.binary}, base::Host());
-    const std::string whole = bytes_of(folder / kind.file);
+    const std::string whole = contents_of(folder / kind.file);
     const Format format = *format_of_path(kind.file);
     for (int trial = 0; trial < 2000; ++trial) {
       std::string changed = whole;

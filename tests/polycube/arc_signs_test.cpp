@@ -11,15 +11,15 @@
 #include "blocks.h"
 #include "polycube/labels/patch_order.h"
 #include "polycube/map/certificate.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 struct Labelled {
   explicit Labelled(const mesh::Mesh& m, bool mirrored = false)
@@ -45,7 +45,7 @@ struct Labelled {
   Patches patches{host.memory};
 };
 
-std::vector<mesh::Mesh> shapes() {
+std::vector<mesh::Mesh> shapes_with_signs() {
   std::vector<test::Cell> bump = box_without({3, 3, 1});
   bump.push_back({1, 1, 1});
   std::vector<test::Cell> torus_with_bump = box_without({5, 5, 1}, {{2, 2, 0}});
@@ -63,7 +63,7 @@ std::vector<mesh::Mesh> shapes() {
 }  // namespace
 
 TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when they are the targets") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_with_signs()) {
     const Labelled l(m);
     REQUIRE(l.certificate.valid());
     const ArcNetwork network(l.surface, l.patches, host);
@@ -78,7 +78,7 @@ TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when
 }
 
 TEST_CASE("An arc runs in the direction that its sign says") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_with_signs()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.patches, host);
     for (const Arc& arc : network.arcs) {
@@ -90,7 +90,7 @@ TEST_CASE("An arc runs in the direction that its sign says") {
 }
 
 TEST_CASE("Corners: chi, and their number for each genus") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_with_signs()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.patches, host);
     std::int64_t sum = 0;
@@ -106,7 +106,7 @@ TEST_CASE("Corners: chi, and their number for each genus") {
 }
 
 TEST_CASE("Signs are found though others are the targets") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_with_signs()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.patches, host);
     const Array<double> wanted(network.arcs.size(), 0.01, host.memory);  // all convex
@@ -133,7 +133,7 @@ TEST_CASE("The labels of a cube seen in a mirror are those of no polycube") {
 }
 
 TEST_CASE("Patches of a polycube have an order, and none when an arc runs the other way than those beside it") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_with_signs()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.patches, host);
     ArcSigns signs(host.memory);

@@ -11,13 +11,13 @@
 #include "mesh/search/predicates.h"
 #include "polycube/map/certificate.h"
 #include "polycube/outputs/atlas_texels.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 // The map of a polycube to itself: a plate with a tunnel beside steps.
 SurfaceMap example() {

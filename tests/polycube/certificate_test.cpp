@@ -12,15 +12,15 @@
 #include "base/error.h"
 #include "blocks.h"
 #include "mesh/search/intersections.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 Certificate certificate_of(const mesh::Mesh& m) {
   return certify(m.positions, m.triangles, host);

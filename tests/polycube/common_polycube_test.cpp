@@ -13,14 +13,14 @@
 #include "polycube/domain/shape_copies.h"
 #include "polycube/layout/drawn_construction.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 using test::shape;
 
 namespace {
-
-const base::Host host;
 
 std::vector<Vector3> random_points(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);

@@ -10,16 +10,17 @@
 #include "base/error.h"
 #include "mesh/topology/topology.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 using test::shape;
 
 namespace {
 
-const base::Host host;
-
-BestConstruction construct(const mesh::Mesh& m, Method method, std::size_t corners, const base::Host& on = host) {
+BestConstruction best_construction(const mesh::Mesh& m, Method method, std::size_t corners,
+                                   const base::Host& on = host) {
   return polycube::construct(m.positions, m.triangles, {.method = method, .corners = corners, .seed = 0}, on);
 }
 
@@ -53,12 +54,12 @@ TEST_CASE("The map kept is no worse than that of either construction, and within
   for (const Case& c : {Case{"creature", 16}, Case{"blob", 8}}) {
     CAPTURE(c.name);
     const mesh::Mesh m = shape(c.name, 700);
-    const BestConstruction best = construct(m, Method::automatic, c.corners);
+    const BestConstruction best = best_construction(m, Method::automatic, c.corners);
     check_map(m, best);
     CHECK(best.made.certificate.corners <= c.corners);
     for (const Method method : {Method::labels, Method::voxels}) {
       try {
-        const BestConstruction alone = construct(m, method, c.corners);
+        const BestConstruction alone = best_construction(m, method, c.corners);
         check_map(m, alone);
         CHECK(alone.method == method);
         CHECK(alone.made.certificate.corners <= c.corners);
@@ -77,8 +78,8 @@ TEST_CASE("The same bits for any number of threads, by both constructions") {
   base::Host alone = host, crowd = host;
   alone.thread_count = 1;
   crowd.thread_count = 3;
-  const BestConstruction one = construct(m, Method::automatic, 16, alone),
-                         other = construct(m, Method::automatic, 16, crowd);
+  const BestConstruction one = best_construction(m, Method::automatic, 16, alone),
+                         other = best_construction(m, Method::automatic, 16, crowd);
   CHECK(one.method == other.method);
   CHECK(one.made.tried == other.made.tried);
   CHECK(one.made.valid == other.made.valid);
@@ -90,14 +91,14 @@ TEST_CASE("The same bits for any number of threads, by both constructions") {
 TEST_CASE("Surfaces with handles get the corners that they need, all others the budget") {
   const mesh::Mesh torus = shape("torus", 800);
   for (const Method method : {Method::automatic, Method::labels, Method::voxels}) {
-    const BestConstruction best = construct(torus, method, 8);
+    const BestConstruction best = best_construction(torus, method, 8);
     check_map(torus, best);
     CHECK(best.made.certificate.corners <= 16);
   }
   const mesh::Mesh sphere = shape("sphere", 400);
   for (const Method method : {Method::automatic, Method::labels, Method::voxels}) {
     try {
-      construct(sphere, method, 7);
+      best_construction(sphere, method, 7);
       FAIL("a polycube of 7 corners");
     } catch (const base::Error& error) {
       CHECK(error.kind() == std::string("no-valid-result"));
@@ -111,9 +112,9 @@ TEST_CASE("A failure says of which construction it was, and automatic needs one 
   mesh::Mesh plate = shape("cube", 400);
   for (Vector3& p : plate.positions)
     p.z() *= 1e-5;
-  check_map(plate, construct(plate, Method::automatic, 8));
+  check_map(plate, best_construction(plate, Method::automatic, 8));
   try {
-    construct(plate, Method::voxels, 8);
+    best_construction(plate, Method::voxels, 8);
     FAIL("voxels have no place in it");
   } catch (const base::Error& error) {
     CHECK(error.kind() == std::string("no-valid-result"));
@@ -127,7 +128,7 @@ TEST_CASE("Surfaces that are not closed are refused for what they are") {
   for (const std::size_t corners : {std::size_t{0}, std::size_t{60}}) {
     for (const Method method : {Method::automatic, Method::labels, Method::voxels}) {
       try {
-        construct(open, method, corners);
+        best_construction(open, method, corners);
         FAIL("a polycube of an open surface");
       } catch (const base::Error& error) {
         CHECK(error.status() == base::Status::not_closed);
@@ -152,7 +153,7 @@ TEST_CASE("Cancelling at the beginning of any phase ends the construction, whate
     };
     bool stopped = false;
     try {
-      construct(m, Method::automatic, 16, stopping);
+      best_construction(m, Method::automatic, 16, stopping);
     } catch (const base::Error& error) {
       stopped = error.status() == base::Status::cancelled;
     }

@@ -15,13 +15,13 @@
 #include "polycube/corners/optimal_corners.h"
 #include "polycube/voxels/voxel_construction.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 // Cells, each triangle cut into four `times` times, as a map to themselves: an isometry.
 SurfaceMap refined(const std::vector<test::Cell>& cells, int times) {

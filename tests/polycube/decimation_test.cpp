@@ -15,15 +15,15 @@
 #include "polycube/map/map_refinement.h"
 #include "polycube/surface/distortion.h"
 #include "polycube/surface/refinement.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 mesh::Mesh left_by(const Decimation& decimation, const mesh::Mesh& m) {
   mesh::Mesh result;

@@ -15,15 +15,15 @@
 #include "polycube/map/construction.h"
 #include "polycube/surface/distortion.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 BestConstruction constructed(const mesh::Mesh& m) {
   return construct(m.positions, m.triangles, {.method = Method::labels}, host);

@@ -16,14 +16,14 @@
 #include "polycube/dissertation/printed_construction.h"
 #include "polycube/map/construction.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using namespace orbicube::polycube::dissertation;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 VoxelSolid octree_of(const mesh::Mesh& m, int depth, double inside) {
   const Occupancy occupancy(m.positions, m.triangles, 64, host);
@@ -31,8 +31,8 @@ VoxelSolid octree_of(const mesh::Mesh& m, int depth, double inside) {
 }
 
 // A surface with the nearest corner points of one cuboid.
-struct Box {
-  explicit Box(const char* name, std::size_t triangles)
+struct BoxedSurface {
+  explicit BoxedSurface(const char* name, std::size_t triangles)
       : mesh(test::shape(name, triangles)),
         surface(mesh.positions, mesh.triangles, host),
         layout(make_layout(octree_of(mesh, 0, 0.5), host)),
@@ -123,7 +123,7 @@ TEST_CASE("Merged rectangles cover the boundary of the voxels exactly") {
 }
 
 TEST_CASE("Paths are shortest, and the same in both directions") {
-  const Box box("creature", 600);
+  const BoxedSurface box("creature", 600);
   ShortestPaths shortest(box.surface, host);
   std::mt19937_64 random(3);
   for (int i = 0; i < 10; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("Paths are shortest, and the same in both directions") {
 }
 
 TEST_CASE("Paths that meet are counted, with the place") {
-  const Box box("sphere", 600);
+  const BoxedSurface box("sphere", 600);
   Array<Index> points = box.points;
   points[1] = points[0];
   ShortestPaths shortest(box.surface, host);
@@ -160,7 +160,7 @@ TEST_CASE("Paths that meet are counted, with the place") {
 }
 
 TEST_CASE("Harmonic maps of a box reproduce linear functions, without a flipped triangle") {
-  const Box box("cube", 1200);
+  const BoxedSurface box("cube", 1200);
   PrintedMapper mapper(box.surface, host);
   const Drawn drawn = mapper.draw(box.layout, box.points);
   REQUIRE(drawn.valid());
@@ -179,7 +179,7 @@ TEST_CASE("Harmonic maps of a box reproduce linear functions, without a flipped 
 }
 
 TEST_CASE("A factor with rows removed and put back gives what a new one gives") {
-  const Box box("sphere", 4000);
+  const BoxedSurface box("sphere", 4000);
   const Array<double> weights = half_edge_weights(box.surface, host);
   HarmonicSystem kept(box.surface, weights, host);
   std::mt19937_64 random(5);
@@ -214,7 +214,7 @@ TEST_CASE("The derivative of the energy of proportions is that of differences") 
   std::vector<PatchEnergy> energies(layout.rectangles.size());
   for (PatchEnergy& e : energies)
     e = {{any(random), any(random), any(random)}, any(random), 0, 0};
-  const DomainEnergy energy(layout, energies, 0.7, host);
+  const dissertation::DomainEnergy energy(layout, energies, 0.7, host);
   std::vector<double> x(energy.start().begin(), energy.start().end()), gradient(x.size()), none(x.size());
   for (double& value : x)
     value *= any(random);
@@ -232,7 +232,7 @@ TEST_CASE("The derivative of the energy of proportions is that of differences") 
 }
 
 TEST_CASE("Optimal proportions keep the area and lower the energy of the rectangles") {
-  const Box box("creature", 1200);
+  const BoxedSurface box("creature", 1200);
   std::vector<PatchEnergy> energies(6);
   for (std::size_t r = 0; r < 6; ++r) {
     energies[r].harmonic.fill(axis_of(box.layout.rectangles[r].label) == 0 ? 5.0 : 1.0);
@@ -251,7 +251,7 @@ TEST_CASE("Optimal proportions keep the area and lower the energy of the rectang
 }
 
 TEST_CASE("Disks are disks around their corner points, and bijective") {
-  const Box box("creature", 5000);
+  const BoxedSurface box("creature", 5000);
   for (const Index center : {box.points[0], box.points[5]}) {
     const CornerDisk disk = make_disk(box.surface, center, disk_rings, host);
     CHECK(disk.vertices[0] == center);
@@ -272,7 +272,7 @@ TEST_CASE("Disks are disks around their corner points, and bijective") {
 }
 
 TEST_CASE("A corner point that is displaced moves to where the energy is less") {
-  const Box box("sphere", 2000);
+  const BoxedSurface box("sphere", 2000);
   PrintedMapper mapper(box.surface, host);
   Array<Index> moved = box.points;
   for (int step = 0; step < 3; ++step)

@@ -14,13 +14,16 @@
 #include "mesh/shapes/make_shape.h"
 #include "polycube/domain/optimal_domain.h"
 #include "polycube/voxels/voxel_construction.h"
+#include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::area_of;
+using test::host;
 
 namespace {
 
-const base::Host host;
 const std::array<DomainMeasure, 3> measures = {DomainMeasure::surface_mean, DomainMeasure::face_mean,
                                                DomainMeasure::harmonic};
 
@@ -38,19 +41,12 @@ SurfaceMap stretched(const std::vector<test::Cell>& cells, const Vector3& stretc
 }
 
 // The map of a made shape, with triangles in cells and across layers.
-const SurfaceMap& creature() {
+const SurfaceMap& layered_creature() {
   static const SurfaceMap map = [] {
     const mesh::Mesh m = mesh::make_shape("creature", {.triangles = 2500}, host);
     return construct_by_voxels(m.positions, m.triangles, {.corners = 40}, host).map;
   }();
   return map;
-}
-
-double area_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
-  double area = 0;
-  for (const Triangle& t : triangles)
-    area += 0.5 * (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm();
-  return area;
 }
 
 std::vector<double> varied(std::span<const double> lengths, double most, std::uint64_t seed) {
@@ -74,16 +70,16 @@ Vector3 extent(std::span<const Vector3> positions) {
 }  // namespace
 
 TEST_CASE("The energy is what distortion.h measures, for cells and for triangles across layers") {
-  const SurfaceMap& map = creature();
+  const SurfaceMap& map = layered_creature();
   const CoordinateLayers layers = find_layers(map, host);
   const Distortion d = measure_distortion(map, host);
-  const DomainEnergy by_surface(map, layers, DomainMeasure::surface_mean, 0.7, host);
+  const polycube::DomainEnergy by_surface(map, layers, DomainMeasure::surface_mean, 0.7, host);
   CHECK(by_surface.crossing() > 0);
   CHECK(by_surface.cells() > 0);
   // Sums of thousands of terms, some of them large.
   CHECK(by_surface.evaluate(by_surface.lengths(), {}) ==
         doctest::Approx(d.angle_weighted_mean + 0.7 * d.area_weighted_mean).epsilon(1e-10));
-  const DomainEnergy by_face(map, layers, DomainMeasure::face_mean, 0.7, host);
+  const polycube::DomainEnergy by_face(map, layers, DomainMeasure::face_mean, 0.7, host);
   CHECK(by_face.evaluate(by_face.lengths(), {}) == doctest::Approx(d.angle_mean + 0.7 * d.area_mean).epsilon(1e-10));
   CHECK(by_face.area(by_face.lengths()) == doctest::Approx(area_of(map.polycube, map.triangles)).epsilon(1e-12));
   // And of other lengths: those of the map that has them.
@@ -107,10 +103,10 @@ TEST_CASE("The energy is what distortion.h measures, for cells and for triangles
 }
 
 TEST_CASE("The gradient is that of differences, in cells and across layers") {
-  const SurfaceMap& map = creature();
+  const SurfaceMap& map = layered_creature();
   const CoordinateLayers layers = find_layers(map, host);
   for (const DomainMeasure measure : measures) {
-    const DomainEnergy energy(map, layers, measure, 0.4, host);
+    const polycube::DomainEnergy energy(map, layers, measure, 0.4, host);
     const std::vector<double> at = varied(energy.lengths(), 1.1, 3);
     std::vector<double> gradient(at.size()), x = at;
     const double value = energy.evaluate(at, gradient);
@@ -181,7 +177,7 @@ TEST_CASE("Layers that are no neighbors in space share their slabs, and an isome
 }
 
 TEST_CASE("Angles and areas pull where the weight says") {
-  const SurfaceMap& map = creature();
+  const SurfaceMap& map = layered_creature();
   std::array<Distortion, 2> d;
   for (const bool areas : {false, true}) {
     SurfaceMap own = map;
@@ -192,10 +188,10 @@ TEST_CASE("Angles and areas pull where the weight says") {
 }
 
 TEST_CASE("From other starts, and in lengths as in logarithms, the same energy is reached") {
-  const SurfaceMap& map = creature();
+  const SurfaceMap& map = layered_creature();
   const CoordinateLayers layers = find_layers(map, host);
   for (const DomainMeasure measure : {DomainMeasure::surface_mean, DomainMeasure::face_mean}) {
-    const DomainEnergy energy(map, layers, measure, 1, host);
+    const polycube::DomainEnergy energy(map, layers, measure, 1, host);
     const DomainMinimum first = minimise_domain(energy, energy.lengths(), {}, host);
     REQUIRE(first.converged);
     CHECK(first.energies.back() < first.energies.front());
@@ -218,7 +214,7 @@ TEST_CASE("From other starts, and in lengths as in logarithms, the same energy i
 TEST_CASE(
     "Maps stay valid and keep their area and center, energies never rise, and bits are the same for all threads") {
   for (const DomainMeasure measure : measures) {
-    SurfaceMap map = creature();
+    SurfaceMap map = layered_creature();
     const Vector3 size = extent(map.polycube);
     const double area = area_of(map.polycube, map.triangles);
     Certificate before = certify(map, host);

@@ -11,14 +11,14 @@
 #include "polycube/map/construction.h"
 #include "polycube/outputs/patch_graph.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 using test::shape;
 
 namespace {
-
-const base::Host host;
 
 // A box's map of a ball, once for all tests.
 const SurfaceMap& ball() {

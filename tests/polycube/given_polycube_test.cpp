@@ -15,14 +15,14 @@
 #include "polycube/layout/drawn_construction.h"
 #include "polycube/layout/layout.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 using test::shape;
 
 namespace {
-
-const base::Host host;
 
 TargetPolycube target_of(const std::vector<test::Cell>& cells) {
   const mesh::Mesh m = test::blocks(cells);

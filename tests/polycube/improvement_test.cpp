@@ -13,25 +13,19 @@
 #include "polycube/unfolded/unfolded_smoothing.h"
 #include "polycube/voxels/voxel_construction.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::area_of;
+using test::host;
 using test::shape;
 
 namespace {
 
-const base::Host host;
-
 // As the construction leaves it, before it is improved.
 Construction grid_based(const mesh::Mesh& m, std::size_t corners) {
   return construct_by_voxels(m.positions, m.triangles, {.corners = corners}, host);
-}
-
-double area_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
-  double area = 0;
-  for (const Triangle& t : triangles)
-    area += 0.5 * (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm();
-  return area;
 }
 
 // What a map of the surface must be, whatever polycube it goes to.

@@ -17,17 +17,17 @@
 #include "polycube/map/untangling.h"
 #include "polycube/surface/distortion.h"
 #include "polycube/surface/refinement.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
 
-const base::Host host;
-
-std::vector<mesh::Mesh> shapes() {
+std::vector<mesh::Mesh> shapes_to_label() {
   std::vector<test::Cell> bump = box_without({3, 3, 1});
   bump.push_back({1, 1, 1});
   return {blocks(box_without({2, 2, 2})), blocks(box_without({2, 2, 1}, {{1, 1, 0}})), blocks(bump),
@@ -37,7 +37,7 @@ std::vector<mesh::Mesh> shapes() {
 }  // namespace
 
 TEST_CASE("A labeled polycube is mapped to itself") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_to_label()) {
     const Certificate own = certify(m.positions, m.triangles, host);
     SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
     LabelledMapOptions options;
@@ -58,7 +58,7 @@ TEST_CASE("A labeled polycube is mapped to itself") {
 }
 
 TEST_CASE("Scrambled positions are untangled") {
-  for (const mesh::Mesh& m : shapes()) {
+  for (const mesh::Mesh& m : shapes_to_label()) {
     SurfaceMap map = unrefined(m.positions, m.triangles, certify(m.positions, m.triangles, host).labels, host);
     split_chords(map, host);
     const Frame frame = unit_frame(m.positions, m.triangles);

@@ -9,17 +9,13 @@
 #include "polycube/labels/label_repair.h"
 #include "polycube/map/certificate.h"
 #include "polycube/surface/refinement.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
-
-namespace {
-
-const base::Host host;
-
-}  // namespace
+using test::host;
 
 TEST_CASE("Patches of a plate with a hole: two with a hole each, no faults") {
   const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));

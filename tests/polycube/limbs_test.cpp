@@ -9,15 +9,16 @@
 #include "polycube/map/certificate.h"
 #include "polycube/map/distorted_regions.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
 using test::blocks;
 using test::box_without;
+using test::host;
 
 namespace {
 
-const base::Host host;
 constexpr int side = 18;
 
 // A protrusion on the upper face of a cube, of a cone's form.

@@ -13,13 +13,13 @@
 #include "polycube/map/construction.h"
 #include "polycube/outputs/quad_mesh.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 // The map of a polycube to itself.
 SurfaceMap identity(const mesh::Mesh& m) {

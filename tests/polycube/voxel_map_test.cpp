@@ -14,21 +14,15 @@
 #include "polycube/surface/surface_decimation.h"
 #include "polycube/voxels/voxel_construction.h"
 #include "shapes.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::area_of;
+using test::host;
 using test::shape;
 
 namespace {
-
-const base::Host host;
-
-double area_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
-  double area = 0;
-  for (const Triangle& t : triangles)
-    area += 0.5 * (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm();
-  return area;
-}
 
 // The layout of a block of cells in the box of a surface.
 Layout layout_of(const std::vector<test::Cell>& cells, const mesh::Mesh& m) {

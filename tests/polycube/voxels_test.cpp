@@ -14,13 +14,13 @@
 #include "polycube/voxels/simplification.h"
 #include "polycube/voxels/voxel_solid.h"
 #include "polycube/voxels/voxelisation.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::host;
 
 namespace {
-
-const base::Host host;
 
 VoxelSolid empty_solid(int cells) {
   std::array<Array<double>, 3> planes;

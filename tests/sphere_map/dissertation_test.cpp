@@ -20,6 +20,7 @@
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
+using test::measured;
 using test::Surface;
 
 namespace {
@@ -29,10 +30,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 Array<Vector3> dissertation_map(const Surface& s, const dissertation::DissertationOptions& options = {}) {
   const base::Host host;
   return dissertation::compute(normalized(s.positions, s.triangles, host.memory), s.triangles, options, host);
-}
-
-Measurement measured(const Surface& s, std::span<const Vector3> directions) {
-  return measure(s.positions, s.triangles, directions, 0.1, 1, base::Host());
 }
 
 // A vertex 0 amid a ring of five on the sphere, which belongs to a bumpy surface.

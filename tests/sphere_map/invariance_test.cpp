@@ -21,7 +21,7 @@ using test::Surface;
 
 namespace {
 
-std::vector<Vector3> map_of(const Surface& s) {
+std::vector<Vector3> default_map_of(const Surface& s) {
   const Array<Vector3> map = compute(s.positions, s.triangles, Options(), base::Host());
   return {map.begin(), map.end()};
 }
@@ -65,7 +65,7 @@ void turn(Surface& s, std::mt19937_64& random) {
 }
 
 std::vector<Vector3> map_by_place(const Renumbered& r) {
-  const std::vector<Vector3> map = map_of(r.surface);
+  const std::vector<Vector3> map = default_map_of(r.surface);
   std::vector<Vector3> result;
   for (const Index place : r.place)
     result.push_back(map[place]);
@@ -90,7 +90,7 @@ Surface mirrored_creature(int levels) {
 TEST_CASE("A limbed surface that is renumbered and turned has the same map to a fifth of a degree") {
   std::mt19937_64 random(5);
   for (const Surface& original : {test::creature(4), mirrored_creature(4)}) {
-    const std::vector<Vector3> map = map_of(original);
+    const std::vector<Vector3> map = default_map_of(original);
     for (int trial = 0; trial < 3; ++trial) {
       Renumbered r = renumbered(original, random);
       CHECK(angle_between(original, map, map_by_place(r)) < 0.2);
@@ -104,12 +104,12 @@ TEST_CASE("Noise of a thousandth of the diagonal moves the map of a limbed surfa
   std::mt19937_64 random(6);
   std::normal_distribution<double> normal;
   const Surface original = test::creature(4);
-  const std::vector<Vector3> map = map_of(original);
+  const std::vector<Vector3> map = default_map_of(original);
   for (int trial = 0; trial < 3; ++trial) {
     Surface noisy = original;
     for (Vector3& p : noisy.positions)
       p += 1e-3 * 5 * normal(random) * p.normalized();  // the diagonal is about 5
-    CHECK(angle_between(original, map, map_of(noisy)) < 1);
+    CHECK(angle_between(original, map, default_map_of(noisy)) < 1);
   }
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("Animals have one map, whatever the order of decimation, and noise mov
     Surface original;
     original.positions.assign(read.positions.begin(), read.positions.end());
     original.triangles.assign(read.triangles.begin(), read.triangles.end());
-    const std::vector<Vector3> map = map_of(original);
+    const std::vector<Vector3> map = default_map_of(original);
     for (std::uint64_t seed = 1; seed < 3; ++seed) {
       const Array<Vector3> other = compute(original.positions, original.triangles, {.seed = seed}, base::Host());
       CHECK(angle_between(original, map, {other.begin(), other.end()}) < 0.3);
@@ -140,6 +140,6 @@ TEST_CASE("Animals have one map, whatever the order of decimation, and noise mov
     const double size = 1e-3 * (high - low).norm() / std::sqrt(3.0);
     for (Vector3& p : noisy.positions)
       p += size * Vector3(normal(random), normal(random), normal(random));
-    CHECK(angle_between(original, map, map_of(noisy)) < 1);
+    CHECK(angle_between(original, map, default_map_of(noisy)) < 1);
   }
 }

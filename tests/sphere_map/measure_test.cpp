@@ -12,14 +12,7 @@
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
-
-namespace {
-
-Measurement measured(const test::Surface& s, const std::vector<Vector3>& directions, FaceDistortion* faces = nullptr) {
-  return measure(s.positions, s.triangles, directions, 0.1, 1, base::Host(), faces);
-}
-
-}  // namespace
+using test::measured;
 
 TEST_CASE("The identity of a fine sphere has no distortion") {
   test::Surface s = test::sphere(5);

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "sphere_map/optimization/measure.h"
 
 namespace orbicube::test {
 
@@ -19,6 +21,12 @@ struct Surface {
   std::vector<Vector3> positions;
   std::vector<Triangle> triangles;
 };
+
+// With the default weights of angles and areas.
+inline sphere_map::Measurement measured(const Surface& s, std::span<const Vector3> directions,
+                                        sphere_map::FaceDistortion* faces = nullptr) {
+  return sphere_map::measure(s.positions, s.triangles, directions, 0.1, 1, base::Host(), faces);
+}
 
 inline Surface tetrahedron() {
   return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};

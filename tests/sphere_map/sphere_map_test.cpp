@@ -16,6 +16,7 @@
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
+using test::measured;
 using test::Surface;
 
 namespace {
@@ -24,10 +25,6 @@ constexpr double lowest_energy = 0.1 * 16 * std::numbers::pi + 4 * std::numbers:
 
 Array<Vector3> map_of(const Surface& s, const Options& options = {}) {
   return compute(s.positions, s.triangles, options, base::Host());
-}
-
-Measurement measured(const Surface& s, std::span<const Vector3> directions) {
-  return measure(s.positions, s.triangles, directions, 0.1, 1, base::Host());
 }
 
 void check_valid(const Surface& s, std::span<const Vector3> directions) {

@@ -23,6 +23,8 @@ using sphere_optimizer::Solver;
 using sphere_optimizer::Stop;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr Method every_method[] = {Method::limited_memory, Method::barzilai_borwein, Method::great_circle,
+                                          Method::dissertation, Method::truncated_newton};
 inline constexpr double ulp = 2.220446049250313e-16;
 
 using Function = std::function<double(std::span<const double> x, std::span<double> gradient)>;

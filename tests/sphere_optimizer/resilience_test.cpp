@@ -8,13 +8,6 @@
 using namespace orbicube;
 using namespace orbicube::test;
 
-namespace {
-
-constexpr Method every_method[] = {Method::limited_memory, Method::barzilai_borwein, Method::great_circle,
-                                   Method::dissertation, Method::truncated_newton};
-
-}  // namespace
-
 TEST_CASE("Saved at each evaluation and loaded into a new solver, a run goes on with the same bits") {
   for (const Method method : every_method) {
     for (const Problem& problem : {thomson(7, 1), laplacian(12, 1), maximum_cut(3, 4, 1)}) {

@@ -10,13 +10,6 @@ using namespace orbicube;
 using namespace orbicube::test;
 using namespace orbicube::sphere_optimizer;
 
-namespace {
-
-constexpr Method every_method[] = {Method::limited_memory, Method::barzilai_borwein, Method::great_circle,
-                                   Method::dissertation, Method::truncated_newton};
-
-}  // namespace
-
 TEST_CASE("Charges on the sphere reach the known least energies") {
   // Wales and Ulker 2006; from these starts there is no other local minimum in the way.
   const std::pair<std::size_t, double> known[] = {

@@ -16,13 +16,14 @@
 #include <vector>
 
 #include "base/error.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
+using test::host;
 using tetrahedra::ChildProcess;
 
 namespace {
 
-const base::Host host;
 constexpr const char* phase = "test";
 
 void ignore(const ChildProcess::Output&) {}

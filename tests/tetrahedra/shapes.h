@@ -14,11 +14,10 @@
 #include "mesh/search/tetrahedron_quality.h"
 #include "mesh/shapes/make_shape.h"
 #include "mesh/topology/cells.h"
+#include "tests/base/quiet_host.h"
 #include "tetrahedra/tetrahedra.h"
 
 namespace orbicube::test {
-
-inline const base::Host host;
 
 struct Surface {
   std::vector<mesh::Vector3> positions;

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,9 @@
 
 using namespace orbicube;
 using namespace orbicube::untangle;
+using std::numbers::pi;
 
 namespace {
-
-const double pi = std::numbers::pi;
 
 void check(const test::TangledCase& c) {
   CAPTURE(c.name);

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,9 @@
 
 using namespace orbicube;
 using namespace orbicube::untangle;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 UntangledTriangles check(const test::FlatCase& c) {
   CAPTURE(c.name);

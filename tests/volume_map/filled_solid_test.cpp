@@ -8,13 +8,13 @@
 
 #include "base/error.h"
 #include "mesh/shapes/make_shape.h"
+#include "tests/base/quiet_host.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
+using orbicube::test::host;
 
 namespace {
-
-const base::Host host;
 
 // Refuses surfaces of fewer than `fewest` or more than `most` triangles.
 struct Filling {

@@ -18,7 +18,7 @@ using mesh::Triangle;
 
 namespace {
 
-using Surface = test::BoxSurface;
+using Surface = volume_map::test::BoxSurface;
 
 template <class Work>
 std::string refusal(const Work& work) {

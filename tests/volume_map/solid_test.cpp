@@ -28,7 +28,7 @@ double volume_of(const Positions& positions, const Cells& cells) {
 
 TEST_CASE(
     "After splits each tetrahedron has at most a face in common with the boundary, and nothing else has changed") {
-  const test::BlockSolid block(test::angle, 1, 0, 0);
+  const volume_map::test::BlockSolid block(volume_map::test::angle, 1, 0, 0);
   Array<Vector3> positions(block.positions.begin(), block.positions.end());
   Array<Tetrahedron> tetrahedra(block.tetrahedra.begin(), block.tetrahedra.end());
   const base::Host host;
@@ -56,7 +56,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A solid is cut where its surface is") {
-  test::BlockSolid block(test::angle, 2, 0.5, 0.3);
+  volume_map::test::BlockSolid block(volume_map::test::angle, 2, 0.5, 0.3);
   REQUIRE(block.certificate == "");
   for (const std::size_t triangle : {0U, 17U, 30U})
     block.cut(triangle);
@@ -87,7 +87,7 @@ TEST_CASE("A solid is cut where its surface is") {
 }
 
 TEST_CASE("A bent solid is mapped to its polycube one to one, the same for any number of threads") {
-  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  volume_map::test::BlockSolid block(volume_map::test::angle, 3, 0.8, 0.4);
   block.cut(5);
   REQUIRE(block.certificate == "");
   std::vector<Vector3> first;
@@ -111,7 +111,7 @@ TEST_CASE("A bent solid is mapped to its polycube one to one, the same for any n
 }
 
 TEST_CASE("A surface that is not the boundary is refused") {
-  test::BlockSolid block(test::angle, 2, 0, 0);
+  volume_map::test::BlockSolid block(volume_map::test::angle, 2, 0, 0);
   block.tetrahedra.pop_back();
   CHECK_THROWS_AS(map_to_polycube(block.solid(), base::Host()), base::Error);
 }
