@@ -90,6 +90,8 @@ def main():
     parser.add_argument("--uses", default="", help="the libraries that it uses, with commas")
     parser.add_argument("--folder", required=True, help="where to build; emptied first")
     parser.add_argument("--kind", default="both", choices=["both", "shared", "static"])
+    parser.add_argument("--unity", default="off", choices=["on", "off", "subprojects"],
+                        help="compile several files of a library as one")
     parser.add_argument("--version", required=True)
     arguments = parser.parse_args()
     folder = os.path.abspath(arguments.folder)
@@ -98,7 +100,7 @@ def main():
 
     said = run(["meson", "setup", build, ROOT, "--prefix", prefix, "--libdir", "lib",
                 "-Dlibraries=" + arguments.library, "-Ddefault_library=" + arguments.kind, "-Dtests=false",
-                "-Dexamples=false", "-Dcli=disabled", "-Dwerror=true"])
+                "-Dexamples=false", "-Dcli=disabled", "-Dwerror=true", "-Dunity=" + arguments.unity])
     said += run(["ninja", "-C", build, "-j1"])
     warnings = [line for line in said.splitlines() if "warning:" in line.lower()]
     if warnings:

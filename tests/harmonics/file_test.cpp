@@ -171,7 +171,7 @@ TEST_CASE("Damaged SPHARM-PDM files are refused with kind and line") {
   kind_is("{ 2,{1,2,3},{1,2,3}}", format, "parse", "(L + 1)^2");
   kind_is("{ 0}", format, "parse", "(L + 1)^2");
   kind_is("{ 4,{1,2,3},{1,2,3}}", format, "truncated", "too short");
-  kind_is("{ 4,{1,2,3},{1,2,3},\n{1,2,3}                }", format, "parse", "line 2: ',' expected");
+  kind_is("{ 4,{1,2,3},{1,2,3},\n{1,2,3}                }", format, "parse", "line 2: expected ','");
   kind_is("{ 4,{1,2,3},{1,2,3},\n{1,2,3},{1,2", format, "truncated", "line 2");
   kind_is("{ 1,{1,2,x}}", format, "parse", "'x'");
   kind_is("{ 1,{1,inf,3}}", format, "non-finite", "inf");
