@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "feature_requests.h"
 #include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/features/grading/graded_search.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "mesh/search/measures.h"
@@ -217,4 +218,22 @@ TEST_CASE("What there are too few cells for is left out and named, and the rest 
     CHECK(missing.from.head<2>().norm() == doctest::Approx(0.1));
     CHECK(missing.why.find("hexahedra, more than the 400 that") != std::string::npos);
   }
+}
+
+TEST_CASE("Grids of a search are given up where they have more cells than it may visit") {
+  const FeatureSurface surface = feature_surface(slotted_block(), by_angles, host);
+  FeatureHexOptions options;
+  options.cells = 1000;
+  options.max_cells = 8000;
+  options.once = true;
+  const FeatureHexes whole = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  REQUIRE(whole.found);
+  REQUIRE(whole.visited > 0);
+  options.max_visited = whole.visited;
+  CHECK(feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host).found);
+  options.max_visited = whole.visited - 1;
+  const FeatureHexes less = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  CHECK_FALSE(less.found);
+  CHECK(less.visited < whole.visited);
+  CHECK_FALSE(less.obstacle.empty());
 }

@@ -87,7 +87,10 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
   constexpr std::size_t most_fitted = 8;  // of the option `cells`: a fit of the largest mesh, or several of others
   constexpr std::size_t cheap = 5000;     // hexahedra that are fitted in a second or two in any case
   constexpr double rings_saved = 1.2;     // about, of the number of hexahedra that is expected over that of a mesh
+  // Likewise of all grids. Of machined parts that were tried, those with an embedding take up to 116.
+  constexpr std::size_t most_visited = 400;
   const std::size_t left = std::max({most_fitted * choice_.cells, cheap, fitted_}) - fitted_;
+  const std::size_t visits_left = std::max(most_visited * choice_.cells, visited_) - visited_;
   const auto affordable = static_cast<std::size_t>(rings_saved * static_cast<double>(left));
   try {
     FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph,
@@ -103,9 +106,11 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
                                                  measure_captured(mesh, surface, figures, host_);
                                                  return figures;
                                                },
-                                           .max_fitted = left},
+                                           .max_fitted = left,
+                                           .max_visited = visits_left},
                                           host_);
     fitted_ += made.fitted;
+    visited_ += made.visited;
     return made;
   } catch (const base::Error& error) {
     if (error.must_end()) throw;

@@ -68,7 +68,7 @@ class FeatureKeeper {
   FeatureFigures figures_;
   std::optional<FeatureHexes> tried_;
   LeftOutFeatures left_out_;
-  std::size_t fitted_ = 0;  // hexahedra of all fits
+  std::size_t fitted_ = 0, visited_ = 0;  // hexahedra of all fits, cells of all grids
 };
 
 }  // namespace orbicube::hexmesh

@@ -155,7 +155,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   const auto given = static_cast<double>(options.cells);
   const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
   double captured = 0;  // of made.result
-  GradedSearch search(positions, triangles, graph, given, most, host);
+  GradedSearch search(positions, triangles, graph, given, most, static_cast<double>(options.max_visited), host);
   const auto missed = [&](std::span<const FeatureObstacle> obstacles) {
     made.obstacle = text_of(obstacles[0], graph, positions);
     made.arcs_in_the_way = arcs_of(obstacles, graph, host);
@@ -205,6 +205,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     if (!refine_for_more(excess(made.result, options.distance) > 1, most, figures, search)) break;
   }
   if (made.found) made.obstacle.clear();
+  made.visited = static_cast<std::size_t>(std::ceil(search.visited()));
   return made;
 }
 

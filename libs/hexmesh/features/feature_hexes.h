@@ -22,7 +22,8 @@ struct FeatureHexOptions {
   bool once = false;                // one fit, not up to three
   // Of a mesh; while it has less than 99 percent of the length, the missing arcs get smaller cells.
   std::function<FeatureFigures(const HexMesh&)> measure;
-  std::size_t max_fitted = SIZE_MAX;  // hexahedra of all fits, to which the time is proportional
+  // The time is proportional to these: hexahedra of all fits, and cells of all grids, those outside of the solid too.
+  std::size_t max_fitted = SIZE_MAX, max_visited = SIZE_MAX;
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.
@@ -31,7 +32,7 @@ struct FeatureHexes {
 
   HexResult result;
   bool found = false;
-  std::size_t fitted = 0;  // hexahedra of all fits
+  std::size_t fitted = 0, visited = 0;  // as in the options
   std::string obstacle;
   Array<Index> arcs_in_the_way;  // of the graph; those at corners in the way are some of them
 };

@@ -20,6 +20,7 @@ constexpr double at_bends = 1.4, widest = 3;
 constexpr int attempts_at_bends = 8;
 // Cells of the grid in the box of the solid, which are all looked at: thin solids across the axes fill few of them.
 constexpr double most_in_box = 50;  // of the largest number of hexahedra
+constexpr double least_layers = 2;  // that a solid takes which is thinner, where its gaps are widened
 
 double size_of(double volume, double hexahedra) {
   return std::cbrt(volume / (grid_part * hexahedra));
@@ -28,7 +29,8 @@ double size_of(double volume, double hexahedra) {
 }  // namespace
 
 GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                           const mesh::FeatureGraph& graph, double cells, double max_cells, const base::Host& host)
+                           const mesh::FeatureGraph& graph, double cells, double max_cells, double max_visited,
+                           const base::Host& host)
     : positions_(positions),
       triangles_(triangles),
       graph_(graph),
@@ -36,6 +38,7 @@ GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const m
       whole_(mesh::measures(positions, triangles, host)),
       base_cells_(cells),
       max_cells_(max_cells),
+      max_visited_(max_visited),
       shape_(positions, triangles, graph, 1, host),
       demands_(shape_, most_strength * size_of(whole_.volume, cells), size_of(whole_.volume, cells), host),
       strength_(graph.arcs.size(), first_strength, host.memory),
@@ -56,11 +59,17 @@ std::optional<EmbeddedCells> GradedSearch::next() {
       require_fewer_cells();
       return {};
     }
-    const Vector3 in_box = now.grading->cells(whole_.high) - now.grading->cells(whole_.low);
-    if (in_box.prod() > most_in_box * max_cells_) {
+    const double in_box =
+        (now.grading->cells(whole_.high) - now.grading->cells(whole_.low)).cwiseMax(least_layers).prod();
+    if (in_box > most_in_box * max_cells_) {
       set_obstacle("the solid fills too small a part of its box along the axes");
       return {};
     }
+    if (in_box > max_visited_ - visited_) {
+      if (obstacles_.empty()) set_obstacle("grids of this size take too long");
+      return {};
+    }
+    visited_ += in_box;
     try {
       now.cells = std::make_unique<GradedCells>(*now.surface, host_);
       obstacles_ = now.cells->embed();

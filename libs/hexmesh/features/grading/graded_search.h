@@ -19,14 +19,17 @@ struct EmbeddedCells {
 
 class GradedSearch {
  public:
-  // Of about `cells` hexahedra, and up to `max_cells` where the graph requires more. Keeps views of the surface.
+  // Of about `cells` hexahedra, and up to `max_cells` where the graph requires more. All grids together have at most
+  // `max_visited` cells, those outside of the solid included. Keeps views of the surface.
   GradedSearch(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-               const mesh::FeatureGraph& graph, double cells, double max_cells, const base::Host& host);
+               const mesh::FeatureGraph& graph, double cells, double max_cells, double max_visited,
+               const base::Host& host);
 
   // The next grid with the graph embedded, or none, with what was in the way of the last attempt in obstacles().
   std::optional<EmbeddedCells> next();
   std::span<const FeatureObstacle> obstacles() const { return obstacles_; }
   double cells() const { return hexahedra_; }  // about, of the last attempt
+  double visited() const { return visited_; }  // cells of all grids
 
   // Requests smaller cells: at what was in the way of a mesh, or of all sizes.
   void refine_at(std::span<const FeatureObstacle> obstacles, double factor);
@@ -45,6 +48,8 @@ class GradedSearch {
   const base::Host& host_;
   const mesh::Measures whole_;  // of the surface
   double base_cells_, max_cells_, hexahedra_ = 0;
+  const double max_visited_;
+  double visited_ = 0;
   const FeatureShape shape_;
   const FeatureDemands demands_;
   Array<double> strength_;  // of each arc
