@@ -237,3 +237,33 @@ TEST_CASE("Grids of a search are given up where they have more cells than it may
   CHECK(less.visited < whole.visited);
   CHECK_FALSE(less.obstacle.empty());
 }
+
+TEST_CASE("Cells become smaller where a patch bends between its arcs") {
+  // A block of 2 x 2 x 1 whose top rises to a smooth hill in the middle.
+  constexpr int sides = 24;
+  const std::vector<std::uint8_t> inside(std::size_t{sides} * sides, 1);
+  const HexMesh cells = hexahedra_of_cells({sides, sides, 1}, inside, host);
+  mesh::Mesh hill(host.memory);
+  for (const Vector3& p : cells.positions) {
+    const double x = 2 * p.x() / sides - 1, y = 2 * p.y() / sides - 1;
+    const double height = 0.7 * std::pow((1 - x * x) * (1 - y * y), 3);
+    hill.positions.emplace_back(x, y, p.z() * (1 + height));
+  }
+  hill.triangles = halves_of(cells.quads, host.memory);
+  const FeatureSurface surface = feature_surface(hill, by_angles, host);
+  FeatureHexOptions options;
+  options.cells = 400;
+  options.max_cells = 1500;
+  options.distance = 2;
+  options.once = true;
+  const FeatureHexes first = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  REQUIRE(first.found);
+  CHECK(first.result.distance > options.distance);
+  options.once = false;
+  const FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  REQUIRE(made.found);
+  CHECK(made.result.quality.valid());
+  CHECK(made.result.distance <= options.distance);
+  // Smaller cells everywhere would have to be four times as many, more than there may be.
+  CHECK(made.result.mesh.hexahedra.size() < 3 * first.result.mesh.hexahedra.size());
+}

@@ -12,6 +12,7 @@
 #include "hexmesh/features/grading/graded_search.h"
 #include "hexmesh/quality/gap_opening.h"
 #include "mesh/search/measures.h"
+#include "mesh/search/nearest.h"
 #include "mesh/topology/place_text.h"
 
 namespace orbicube::hexmesh {
@@ -132,6 +133,30 @@ void refine_at_missing(const FeatureFigures& figures, GradedSearch& search) {
   if (none) search.refine_everywhere(finer_at_missing);
 }
 
+// Smaller cells where quads are chords of a surface that bends more than the distance allows: the sizes of cells are
+// those that arcs require, and patches may bend between them. Returns whether there is such a quad.
+bool refine_at_chords(const HexMesh& mesh, std::span<const Vector3> positions,
+                      std::span<const mesh::Triangle> triangles, double distance, const AxisGrading& grading,
+                      GradedSearch& search, const base::Host& host) {
+  constexpr double aim = 0.6;  // of the distance
+  const mesh::SurfaceSearch surface(positions, triangles, host);
+  const mesh::Measures measures = mesh::measures(positions, triangles, host);
+  const double most = distance / 100 * (measures.high - measures.low).norm();
+  bool any = false;
+  for (const Quad& q : mesh.quads) {
+    const auto corner = [&](std::size_t k) -> const Vector3& { return mesh.positions[q[k % 4]]; };
+    const Vector3 center = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
+    const double away = surface.nearest(center).distance;
+    if (away <= aim * most) continue;
+    // A chord's height is proportional to the square of its length.
+    const double size = grading.size(center).maxCoeff() * std::sqrt(aim * most / away);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}})
+      search.refine_between(corner(k), corner(k + 2), size);
+    any = true;
+  }
+  return any;
+}
+
 // Smaller cells everywhere where a mesh is too far from the surface, and else at the arcs that it lacks. Returns
 // whether there is room below `most` cells.
 bool refine_for_more(bool far, double most, const FeatureFigures& figures, GradedSearch& search) {
@@ -154,7 +179,8 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   FeatureHexes made(host.memory);
   const auto given = static_cast<double>(options.cells);
   const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
-  double captured = 0;  // of made.result
+  double captured = 0;         // of made.result
+  std::size_t correction = 0;  // hexahedra that another mesh may have where one is valid and only too far away
   GradedSearch search(positions, triangles, graph, given, most, static_cast<double>(options.max_visited), host);
   const auto missed = [&](std::span<const FeatureObstacle> obstacles) {
     made.obstacle = text_of(obstacles[0], graph, positions);
@@ -171,7 +197,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     GradedCells& cells = *found->cells;
     const std::size_t size = cells.mesh().hexahedra.size();
-    if (size > options.max_fitted - made.fitted) {
+    if (size > std::max(options.max_fitted - std::min(options.max_fitted, made.fitted), correction)) {
       const FeatureObstacle obstacle = {no_index, no_index, std::to_string(size) + " more hexahedra take too long"};
       if (made.obstacle.empty()) missed(std::span(&obstacle, 1));
       break;
@@ -202,7 +228,14 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     made.found = true;
     if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
-    if (!refine_for_more(excess(made.result, options.distance) > 1, most, figures, search)) break;
+    const double times_too_far = excess(made.result, options.distance);
+    const bool far = times_too_far > 1;
+    if (far && correction == 0) correction = size + size / 2;
+    // Distances are as the squares of lengths: smaller cells everywhere would be too many.
+    if (search.cells() * std::pow(times_too_far, 1.5) > most &&
+        refine_at_chords(made.result.mesh, positions, triangles, options.distance, *found->grading, search, host))
+      continue;
+    if (!refine_for_more(far, most, figures, search)) break;
   }
   if (made.found) made.obstacle.clear();
   made.visited = static_cast<std::size_t>(std::ceil(search.visited()));

@@ -42,12 +42,15 @@ GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const m
       shape_(positions, triangles, graph, 1, host),
       demands_(shape_, most_strength * size_of(whole_.volume, cells), size_of(whole_.volume, cells), host),
       strength_(graph.arcs.size(), first_strength, host.memory),
+      small_(host.memory),
       obstacles_(host.memory) {}
 
 std::optional<EmbeddedCells> GradedSearch::next() {
   for (; attempts_ < max_attempts; ++attempts_) {
     EmbeddedCells now;
     now.grading = std::make_unique<AxisGrading>(whole_.low, whole_.high, size_of(whole_.volume, base_cells_), host_);
+    for (const SmallCells& s : small_)
+      now.grading->refine(s.from, s.to, s.size);
     demands_.refine(strength_, wider_, *now.grading);
     now.surface = std::make_unique<GradedSurface>(positions_, triangles_, graph_, *now.grading, host_);
     hexahedra_ = now.surface->volume / grid_part;

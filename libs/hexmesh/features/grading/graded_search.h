@@ -34,8 +34,15 @@ class GradedSearch {
   // Requests smaller cells: at what was in the way of a mesh, or of all sizes.
   void refine_at(std::span<const FeatureObstacle> obstacles, double factor);
   void refine_everywhere(double factor);
+  // Requests cells of at most `size` between two points, as AxisGrading::refine().
+  void refine_between(const Vector3& from, const Vector3& to, double size) { small_.push_back({from, to, size}); }
 
  private:
+  struct SmallCells {
+    Vector3 from, to;
+    double size;
+  };
+
   void require_fewer_cells();
   void set_obstacle(std::string why);
   // Return whether they change anything.
@@ -53,7 +60,8 @@ class GradedSearch {
   const FeatureShape shape_;
   const FeatureDemands demands_;
   Array<double> strength_;  // of each arc
-  double wider_ = 1;        // cells along bends than they should be
+  Array<SmallCells> small_;
+  double wider_ = 1;  // cells along bends than they should be
   int attempts_ = 0;
   Array<FeatureObstacle> obstacles_;
 };
