@@ -55,6 +55,12 @@ Index arc_at_worst(const GradedCells& cells) {
   return nearest_arc(cells.shape(), place);
 }
 
+// Of a mesh that is not valid, or of cells without one: the arc nearest to what is wrong.
+Index arc_at_fault(const GradedCells& cells, const std::optional<HexResult>& result) {
+  if (!result || !result->quality.positive() || result->quality.intersections == 0) return arc_at_worst(cells);
+  return nearest_arc(cells.shape(), cells.unit() * result->quality.first_intersection);
+}
+
 HexResult result_of(const GradedCells& cells, std::size_t off_surface, std::span<const Vector3> positions,
                     std::span<const mesh::Triangle> triangles, const base::Host& host) {
   HexResult made(host.memory);
@@ -157,13 +163,17 @@ bool refine_at_chords(const HexMesh& mesh, std::span<const Vector3> positions,
   return any;
 }
 
-// Smaller cells everywhere where a mesh is too far from the surface, and else at the arcs that it lacks. Returns
-// whether there is room below `most` cells.
-bool refine_for_more(bool far, double most, const FeatureFigures& figures, GradedSearch& search) {
-  if (!far) {
+// Smaller cells where a mesh is too far from the surface, everywhere or, if these would be too many, by
+// refine_chords(), and else at the arcs that it lacks. Returns whether there is room below `most` cells.
+template <class RefineChords>
+bool refine_for_more(double times_too_far, double most, const FeatureFigures& figures,
+                     const RefineChords& refine_chords, GradedSearch& search) {
+  if (times_too_far <= 1) {
     refine_at_missing(figures, search);
     return true;
   }
+  // Distances are as the squares of lengths.
+  if (search.cells() * std::pow(times_too_far, 1.5) > most && refine_chords()) return true;
   // The square: cells become more along all axes where their size matters.
   const double room = 0.95 * std::sqrt(most / search.cells());
   if (room < least_more_cells) return false;
@@ -208,19 +218,16 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       missed(std::span(&obstacle, 1));
       search.refine_at(std::span(&obstacle, 1), finer);
     };
+    const auto refine_chords = [&] {
+      return refine_at_chords(made.result.mesh, positions, triangles, options.distance, *found->grading, search, host);
+    };
     std::optional<HexResult> fitted = fitted_result(cells, positions, triangles, options, host);
-    if (!fitted) {
-      not_fitted("the cells along the arcs do not untangle", arc_at_worst(cells));
+    if (!fitted || !fitted->quality.valid()) {
+      not_fitted(fitted ? what_is_wrong(fitted->quality) : "the cells along the arcs do not untangle",
+                 arc_at_fault(cells, fitted));
       continue;
     }
     HexResult& result = *fitted;
-    if (!result.quality.valid()) {
-      const bool meets = result.quality.positive() && result.quality.intersections > 0;
-      not_fitted(
-          what_is_wrong(result.quality),
-          meets ? nearest_arc(cells.shape(), cells.unit() * result.quality.first_intersection) : arc_at_worst(cells));
-      continue;
-    }
     const FeatureFigures figures = options.measure ? options.measure(result.mesh) : FeatureFigures();
     if (!made.found || preferred(result, figures.captured, made.result, captured, options.distance)) {
       made.result = std::move(result);
@@ -229,13 +236,8 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     made.found = true;
     if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
     const double times_too_far = excess(made.result, options.distance);
-    const bool far = times_too_far > 1;
-    if (far && correction == 0) correction = size + size / 2;
-    // Distances are as the squares of lengths: smaller cells everywhere would be too many.
-    if (search.cells() * std::pow(times_too_far, 1.5) > most &&
-        refine_at_chords(made.result.mesh, positions, triangles, options.distance, *found->grading, search, host))
-      continue;
-    if (!refine_for_more(far, most, figures, search)) break;
+    if (times_too_far > 1 && correction == 0) correction = size + size / 2;
+    if (!refine_for_more(times_too_far, most, figures, refine_chords, search)) break;
   }
   if (made.found) made.obstacle.clear();
   made.visited = static_cast<std::size_t>(std::ceil(search.visited()));
