@@ -63,7 +63,7 @@ std::array<double, 2> breakpoints(const RowEquation& e, std::size_t j) {
   return {std::min(at_lower, at_upper), std::max(at_lower, at_upper)};
 }
 
-// The nearest breakpoint beyond t in the direction of `sign`, and a little more; an base::infinity when there is none.
+// The nearest breakpoint beyond t in the direction of `sign`, and a little more; infinity when there is none.
 double next_breakpoint(const RowEquation& e, double t, double sign) {
   double best = base::infinity;
   for (std::size_t j = 0; j < e.a.size(); ++j) {

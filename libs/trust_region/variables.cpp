@@ -107,7 +107,7 @@ void Variables::choose_scale(const Problem& problem, std::span<const double> sta
   double largest_start = 0;
   for (const double x : start)
     largest_start = std::max(largest_start, std::abs(x));
-  // One bound has information unless it is 0, or an base::infinity.
+  // One bound has information unless it is 0 or infinite.
   const auto has_bound = [&](std::size_t k) {
     for (const double bound : {full_lower_[free_[k]], full_upper_[free_[k]]}) {
       if (bound != 0 && std::abs(bound) <= widest_box) return true;

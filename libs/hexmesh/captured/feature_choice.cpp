@@ -42,7 +42,8 @@ std::string reason(const std::optional<FeatureHexes>& tried, bool embedded, std:
   if (embedded) return "edges of the mesh are farther than a tenth of the mean edge from it";
   if (pieces > 1) return "features of several pieces are those that the method follows";
   if (!tried) return "the method does not follow it, and the mesh is not to be replaced";
-  if (tried->found) return "the mesh that has the graph of the features keeps less of it";
+  if (tried->found)
+    return "the mesh that has the graph of the features keeps less of it or is farther from the surface";
   return "the feature graph has no mesh: " + tried->obstacle;
 }
 

@@ -149,7 +149,9 @@ bool refine_at_chords(const HexMesh& mesh, std::span<const Vector3> positions,
   const mesh::Measures measures = mesh::measures(positions, triangles, host);
   const double most = distance / 100 * (measures.high - measures.low).norm();
   bool any = false;
-  for (const Quad& q : mesh.quads) {
+  for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
+    if (i % 1024 == 0) host.report("features", 0, 0);
+    const Quad& q = mesh.quads[i];
     const auto corner = [&](std::size_t k) -> const Vector3& { return mesh.positions[q[k % 4]]; };
     const Vector3 center = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
     const double away = surface.nearest(center).distance;

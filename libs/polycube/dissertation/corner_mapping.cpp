@@ -97,7 +97,7 @@ class CornerOptimization {
         result.stop == trust_region::Stop::converged || result.stop == trust_region::Stop::resolution_limit;
   }
 
-  // E with the corner points now_, base::infinity where they have no map; fills squares_.
+  // E with the corner points now_, infinite where they have no map; fills squares_.
   double evaluate() {
     const Drawn drawn = mapper_.draw(layout_, now_);
     if (!drawn.valid()) return base::infinity;

@@ -48,7 +48,7 @@ Index nearest_vertex(const EditableSurface& surface, const Vector3& point) {
   return nearest;
 }
 
-// Where a line hits a triangle, as the parameter on the line; base::infinity where it does not.
+// Where a line hits a triangle, as the parameter on the line; infinite where it does not.
 double hit(const Vector3& origin, const Vector3& direction, const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 u = b - a, v = c - a, p = direction.cross(v);
   const double volume = u.dot(p);

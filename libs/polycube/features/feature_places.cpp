@@ -6,7 +6,6 @@
 #include "base/infinity.h"
 
 namespace orbicube::polycube {
-namespace {}  // namespace
 
 FeaturePlaces::FeaturePlaces(const SurfaceMap& map, const UnfoldedMap& unfolded, const base::Host& host)
     : map_(map),

@@ -40,7 +40,7 @@ class Removal {
  private:
   bool on_polycube_edge(Index h) const { return map_.facet[h / 3] != map_.facet[surface_.opposite(h) / 3]; }
 
-  // Of a triangle with its first corner moved: by how much its distortions exceed an isometry's; base::infinity when it
+  // Of a triangle with its first corner moved: by how much its distortions exceed an isometry's; infinite when it
   // would not be positive.
   double excess(Index face, Index a, Index b, Index c) const {
     const auto axis = static_cast<std::size_t>(axis_of(map_.label[face]));
