@@ -164,7 +164,7 @@ FrameHexOptions with_effort(FrameHexOptions options, Effort effort) {
   if (effort != Effort::all) options.max_fields = few_fields;
   if (effort == Effort::hopeful) {
     options.max_faults = 20;
-    options.map_attempts = 2;
+    options.quick = true;
   }
   return options;
 }

@@ -139,13 +139,21 @@ volume_map::FramedSolid solid_with_frames(const FieldAttempt& attempt, std::span
   return solid;
 }
 
+volume_map::FrameMapOptions map_options(double cell_length, bool quick) {
+  volume_map::FrameMapOptions options;
+  options.cell_length = cell_length;
+  if (quick) options.max_attempts = 1;
+  options.patient = !quick;
+  return options;
+}
+
 // The map and the grid of it.
 struct Grid {
   volume_map::FrameMap map;
   HexMesh mesh;
 
-  Grid(const volume_map::FramedSolid& solid, double cell_length, int attempts, const base::Host& host)
-      : map(volume_map::map_by_frames(solid, {.cell_length = cell_length, .max_attempts = attempts}, host)),
+  Grid(const volume_map::FramedSolid& solid, double cell_length, bool quick, const base::Host& host)
+      : map(volume_map::map_by_frames(solid, map_options(cell_length, quick), host)),
         mesh(extract_hexahedra(map, host)) {
     if (mesh.hexahedra.empty()) throw base::Error("no-valid-result", "the grid has no cell in the solid");
   }
@@ -157,16 +165,16 @@ bool is_refusal(const base::Error& error) {
 
 // Where few layers became fewer by rounding there are far fewer cells than were requested: then shorter ones are tried,
 // and kept if that is nearer.
-Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::size_t cells, int attempts,
+Grid grid_of_cells(const volume_map::FramedSolid& solid, double volume, std::size_t cells, bool quick,
                    const base::Host& host) {
   constexpr double few = 0.7;
   const double cell_length = std::cbrt(volume / static_cast<double>(cells));
-  Grid grid(solid, cell_length, attempts, host);
+  Grid grid(solid, cell_length, quick, host);
   const double part = static_cast<double>(grid.mesh.hexahedra.size()) / static_cast<double>(cells);
   // Of a dozen cells each is a layer: there is nothing to choose.
   if (part > few || cells < 100) return grid;
   try {
-    Grid finer(solid, cell_length * std::cbrt(part), attempts, host);
+    Grid finer(solid, cell_length * std::cbrt(part), quick, host);
     const double now = static_cast<double>(finer.mesh.hexahedra.size()) / static_cast<double>(cells);
     if (now > part && now * part < 1) grid = std::move(finer);
   } catch (const base::Error& error) {
@@ -244,6 +252,7 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
       } catch (const base::Error& error) {
         if (!is_refusal(error)) throw;
         host.log("field " + std::to_string(fields) + ": " + error.what());
+        if (options.quick) throw;
         if (!first_refusal) first_refusal = std::current_exception();
       }
     } else {
@@ -278,7 +287,7 @@ FrameHexes make_hexahedra_by_frames(const volume_map::FramedSolid& solid, const 
     double far = 0;
     const base::Stage stage(host, 0.5);
     try {
-      far = take_better(best, grid_of_cells(solid, volume, cells, options.map_attempts, host), volume, options, host);
+      far = take_better(best, grid_of_cells(solid, volume, cells, options.quick, host), volume, options, host);
     } catch (const base::Error& error) {
       // More cells are there for the distance alone.
       if (!best || !is_refusal(error)) throw;

@@ -21,7 +21,9 @@ struct FrameHexOptions {
   // Where frames are not given: the number of fields to try.
   std::size_t max_fields = 7;
   std::size_t max_faults = SIZE_MAX;  // of a field, in edges and vertices of no hexahedra; more, and no other is tried
-  int map_attempts = 5;               // of each map (volume_map::FrameMapOptions)
+  // One attempt of few steps for a map, and no other field where it is refused. Measured: of 60 CAD parts, those with
+  // a map had it after at most 14 steps; one that is refused takes 500.
+  bool quick = false;
 };
 
 struct FrameHexes {

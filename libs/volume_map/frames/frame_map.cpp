@@ -196,7 +196,7 @@ class FrameMapping {
     constexpr int max_steps = 60;
     constexpr double max_eps = 0.4;
     bool done = newton.untangle(max_steps, max_eps, 1, {});
-    if (!done) {
+    if (!done && options_.patient) {
       newton.restart(variables.start());
       done = newton.untangle(2 * max_steps, max_eps, 6, {});
     }
