@@ -17,8 +17,10 @@
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
+#include "mesh/topology/orient.h"
 #include "mesh/topology/place_text.h"
 #include "volume_map/input/solid_boundary.h"
+#include "volume_map/input/solid_pieces.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -203,7 +205,12 @@ Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, Effort 
 template <class Judge>
 bool surface_is(const Judge& judge, const Work& work) {
   try {
-    if (work.input.tetrahedra.empty()) return judge(work.input.positions, work.input.triangles, work.host);
+    if (work.input.tetrahedra.empty()) {
+      volume_map::require_closed_surface(work.input.positions, work.input.triangles, work.host);
+      Array<mesh::Triangle> turned(work.input.triangles.begin(), work.input.triangles.end(), work.host.memory);
+      mesh::orient(work.input.positions, turned, work.host);
+      return judge(work.input.positions, turned, work.host);
+    }
     const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);
     return judge(first.positions, first.surface, work.host);
   } catch (const base::Error& error) {

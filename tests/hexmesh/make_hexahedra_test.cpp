@@ -164,3 +164,18 @@ TEST_CASE("Wrong arguments are refused") {
   opened.triangles.pop_back();
   CHECK(kind_of_failure(opened, options) == "not-closed");
 }
+
+TEST_CASE("Features are those of the turned surface where triangles disagree with their neighbors") {
+  mesh::Mesh shape = surface("l-shape");
+  InputFindings findings;
+  const Hexahedra made = hexmesh::make_hexahedra(shape, few(), findings, host);
+  for (std::size_t i = 0; i < shape.triangles.size(); i += 3)
+    std::swap(shape.triangles[i][1], shape.triangles[i][2]);
+  const Hexahedra turned = hexmesh::make_hexahedra(shape, few(), findings, host);
+  REQUIRE(made.features);
+  REQUIRE(turned.features);
+  CHECK(made.features->captured > 0.99);
+  CHECK(turned.features->captured == made.features->captured);
+  CHECK(turned.result.mesh.positions == made.result.mesh.positions);
+  CHECK(turned.result.mesh.hexahedra == made.result.mesh.hexahedra);
+}
