@@ -12,6 +12,7 @@
 #include "hexmesh/captured/captured_features.h"
 #include "hexmesh/captured/feature_bound.h"
 #include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/hexmesh.h"
 #include "hexmesh/strategies/machined_shape.h"
@@ -158,6 +159,26 @@ TEST_CASE("Of two meshes with all features the better one is taken, if one has a
   CHECK(keeper.figures().captured < 0.999);
   CHECK(keeper.complete());
   CHECK_FALSE(keeper.offer(whole, true, &good));
+}
+
+TEST_CASE("Edges of the mesh go to a sharp line that the graph does not have") {
+  FeatureSurface surface = feature_surface(cube_surface(), by_angles, host);
+  const FeatureSurface whole = surface;
+  const mesh::FeatureArc& arc = surface.graph.arcs[0];
+  const mesh::Edge edge = {surface.graph.vertices[arc.begin], surface.graph.vertices[arc.end - 1]};
+  surface.graph = graph_without(surface, by_angles, std::span(&edge, 1), host);
+  REQUIRE(surface.graph.arcs.size() == 11);
+  REQUIRE(surface.graph.left_out.size() == 1);
+  FeatureHexOptions options;
+  options.cells = 500;
+  options.max_cells = 2000;
+  const FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  REQUIRE(made.found);
+  FeatureFigures figures;
+  measure_captured(made.result.mesh, whole, figures, host);
+  CHECK(figures.curves == 12);
+  CHECK(figures.captured > 0.95);  // 11 / 12 without that line, of which some hexahedra may not have their part
+  CHECK(made.result.quality.valid());
 }
 
 TEST_CASE("A mesh too far from the surface gives way to one that is not, whatever it keeps") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/error.h"
 #include "mesh/features/feature_graph.h"
@@ -169,9 +170,13 @@ TEST_CASE("Edges that are left out join patches, and take with them what would e
   const FeatureGraph one = graph_of(cube, {.without = std::span(edges).first(1)});
   CHECK(one.arcs.size() == 11);
   CHECK(one.euler == Array<std::int64_t>(5, 1));
+  CHECK(graph_of(cube, {}).left_out.empty());
+  REQUIRE(one.left_out.size() == 1);
+  CHECK(std::set<Index>(one.left_out[0].begin(), one.left_out[0].end()) == std::set<Index>{2, 4});
   const FeatureGraph two = graph_of(cube, {.without = edges});
   CHECK(two.arcs.size() == 9);
   CHECK(two.euler == Array<std::int64_t>(4, 1));  // three faces at the corner are one
+  CHECK(two.left_out.size() == 3);                // lines end where others meet
   for (std::size_t c = 0; c < two.corners.size(); ++c)
     CHECK(two.around.size(static_cast<Index>(c)) > 1);
   const std::vector<Edge> unknown = {{2, 1000}, {1000, 2}};

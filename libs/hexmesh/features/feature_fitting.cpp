@@ -6,6 +6,7 @@
 
 #include "base/threads/pieces.h"
 #include "hexmesh/certificate/hex_tetrahedra.h"
+#include "hexmesh/features/left_out_lines.h"
 #include "untangle/tetrahedra/newton.h"
 
 namespace orbicube::hexmesh {
@@ -87,6 +88,7 @@ class Fit {
     const bool slide = progress >= slide_from;
     targets_.look_from(mesh_.positions);
     if (slide) targets_.slide(mesh_.positions);
+    if (slide && !lines_placed_) place_lines();
     if (progress > own_shapes_from) set_own_shapes();
     set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
     set_pulls(weight, slide);
@@ -97,6 +99,12 @@ class Fit {
       if (now.energy > before * (1 - 1e-5)) break;
     }
     variables_.expand(newton_.values(), mesh_.positions);
+  }
+
+  void place_lines() {
+    lines_placed_ = true;
+    for (const PlaceOnLine& place : places_on_lines_left_out(mesh_, targets_, host_))
+      targets_.keep_at(place.vertex, place.position);
   }
 
   // Makes boxes of the mean lengths of a hexahedron its shape: the scaled Jacobian does not depend on lengths.
@@ -138,6 +146,7 @@ class Fit {
   Array<Pull> pulls_;
   untangle::FoldoverEnergy energy_;
   untangle::Newton newton_;
+  bool lines_placed_ = false;
 };
 
 }  // namespace

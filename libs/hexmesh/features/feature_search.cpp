@@ -24,12 +24,20 @@ class FeatureSearch {
         bound_(bound),
         around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)) {}
 
+  // Lets vertices of patches go from their places where hexahedra are worse than on patches.
+  void release_places() {
+    for (const Index v : targets_.vertices()) {
+      if (targets_.kind(v) == FeatureTargets::Kind::patch && targets_.is_kept(v) && worst_around(v) < patch_floor())
+        targets_.release(v);
+    }
+  }
+
   // Returns how many vertices are not on their targets.
   std::size_t snap() {
     constexpr int rounds = 4;
     // Of the worst hexahedron around a vertex. A mesh without a part of an arc has lost it; one that is a little off a
     // patch has not.
-    constexpr double kept = 0.8, of_arcs = 0.06, of_patches = 0.2, positive = 1e-3;
+    constexpr double of_arcs = 0.06, positive = 1e-3;
     Array<double> before(mesh_.positions.size(), 1, host_.memory);  // once: each round would lower it
     for (const Index v : targets_.vertices())
       before[v] = worst_around(v);
@@ -41,8 +49,7 @@ class FeatureSearch {
         if (v % 64 == 0) host_.report("snap", 0, 0);
         const Vector3 from = mesh_.positions[v], to = targets_.target(v, from).position;
         if (from == to) continue;
-        const double floor =
-            targets_.kind(v) == FeatureTargets::Kind::patch ? std::min(of_patches, kept * bound_) : of_arcs;
+        const double floor = targets_.kind(v) == FeatureTargets::Kind::patch ? patch_floor() : of_arcs;
         const double least = std::max(positive, std::min(kept * before[v], floor));
         bool done = false;
         for (const double part : {1.0, 0.5, 0.25}) {
@@ -97,6 +104,8 @@ class FeatureSearch {
   }
 
  private:
+  static constexpr double kept = 0.8;  // of what the worst hexahedron was, or of its bound
+
   // The scaled Jacobian, or less where the determinant may not be positive between good corners.
   double quality(Index hexahedron) const {
     constexpr double certain = 0.5;
@@ -118,6 +127,10 @@ class FeatureSearch {
     for (const Index h : around_[v])
       sum += scaled_jacobian(mesh_.positions, mesh_.hexahedra[h]);
     return sum;
+  }
+  double patch_floor() const {
+    constexpr double of_patches = 0.2;
+    return std::min(of_patches, kept * bound_);
   }
   double enough() const { return std::min(good, bound_ - below_bound); }
   // What a hexahedron is below that. The fourth power: the worst count most, but none becomes bad for another.
@@ -217,6 +230,7 @@ std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTarget
                              const base::Host& host) {
   constexpr int steps = 10;
   FeatureSearch search(mesh, targets, bound, host);
+  search.release_places();
   search.snap();
   smooth_inside(mesh, sizes, targets, steps, host);
   const std::size_t left = search.snap();

@@ -24,6 +24,8 @@ class FeatureShape {
   std::size_t corners() const { return graph_.corners.size(); }
   std::size_t patches() const { return graph_.euler.size(); }
   std::span<const Vector3> positions() const { return positions_; }
+  // The points of each sharp line that no arc has.
+  std::span<const Array<Index>> lines_left_out() const { return graph_.left_out; }
 
   const Vector3& corner(Index c) const { return positions_[graph_.corners[c].vertex]; }
   Index other_corner(const mesh::FeatureEnd& end) const { return graph_.arcs[end.arc].corners[1 - end.end]; }

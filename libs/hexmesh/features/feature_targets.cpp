@@ -19,6 +19,7 @@ FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, c
       along_(mesh.positions.size(), 0, host.memory),
       s_(mesh.positions.size(), 0, host.memory),
       kept_(mesh.positions.size(), 0, host.memory),
+      places_(mesh.positions.size(), Vector3::Zero(), host.memory),
       paths_(embedding.paths, host.memory),
       spacing_(host.memory),
       pull_(mesh.positions.size(), 1, host.memory),
@@ -95,13 +96,19 @@ FeatureTargets::Target FeatureTargets::target(Index v, const Vector3& p) const {
       return {at, shape_->nearest_on_arc(owner_[v], at, s_[v], 0).tangent};
     }
     case Kind::patch: {
-      const FeatureShape::PatchPoint point = shape_->nearest_on_patch(owner_[v], p, facing_[v]);
+      const Vector3& from = kept_[v] != 0 ? places_[v] : p;
+      const FeatureShape::PatchPoint point = shape_->nearest_on_patch(owner_[v], from, facing_[v]);
       return {point.position, point.normal};
     }
     case Kind::inside:
       break;
   }
   return {p, Vector3::Zero()};
+}
+
+void FeatureTargets::keep_at(Index v, const Vector3& place) {
+  places_[v] = place;
+  kept_[v] = 1;
 }
 
 void FeatureTargets::pull(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const {
@@ -127,6 +134,7 @@ void FeatureTargets::pull_to_target(Index v, const Vector3& p, double weight, bo
       return;
     }
     case Kind::patch: {
+      if (kept_[v] != 0) return pull.to_point(to.position, arc * weight);
       pull.to_plane(to.direction, to.position, weight);
       Vector3 rest = to.position - p;
       rest -= to.direction * to.direction.dot(rest);

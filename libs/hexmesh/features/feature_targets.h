@@ -32,6 +32,12 @@ class FeatureTargets {
   };
   Target target(Index v, const Vector3& p) const;
 
+  // Gives a vertex of a patch a place there, from now on.
+  void keep_at(Index v, const Vector3& place);
+  bool is_kept(Index v) const { return kept_[v] != 0; }
+  void release(Index v) { kept_[v] = 0; }
+  Index patch(Index v) const { return owner_[v]; }  // of a vertex of a patch
+
   // What pulls of a vertex are multiplied by.
   double weight(Index v) const { return pull_[v]; }
   // Adds what pulls a vertex at p to its target. Vertices of arcs slide along them where `slide` is true.
@@ -57,7 +63,8 @@ class FeatureTargets {
   Array<Index> owner_;        // corner, arc or patch
   Array<Index> along_;        // place of a vertex in the path of its arc
   Array<double> s_;           // arc length
-  Array<std::uint8_t> kept_;  // whether a vertex of an arc stays at its arc length
+  Array<std::uint8_t> kept_;  // whether a vertex of an arc stays at its arc length, or one of a patch at its place
+  Array<Vector3> places_;     // those of vertices of patches
   Array<Array<Index>> paths_;
   Array<Array<double>> spacing_;  // of each arc, the lengths that its edges have where all are alike in cells
   Array<double> pull_;            // of each vertex: times the weight

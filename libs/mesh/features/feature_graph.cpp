@@ -242,6 +242,32 @@ double diagonal_of(std::span<const Vector3> positions, std::span<const Triangle>
   return (high - low).norm();
 }
 
+// Returns the lines of edges of `sharp` that are none of `lines`, each by its vertices, from a corner to the next.
+// Closed ones are cut somewhere.
+Array<Array<Index>> left_out_lines(FeatureLines sharp, const FeatureLines& lines, std::size_t triangles, double angle,
+                                   const base::Host& host) {
+  Array<Array<Index>> left_out(host.memory);
+  const Connectivity& connectivity = lines.connectivity();
+  for (Index h = 0; h < 3 * triangles; ++h) {
+    if (lines.contains(h) && sharp.contains(h)) sharp.remove(h);
+  }
+  FeatureLines rest = sharp;
+  for (const bool closed : {false, true}) {
+    for (Index first = 0; first < 3 * triangles; ++first) {
+      if (!rest.contains(first) || (!closed && sharp.degree(connectivity.start(first)) == 2)) continue;
+      left_out.emplace_back(1, connectivity.start(first));
+      sharp.follow(first, [&](Index h) {
+        const Index v = connectivity.end(h);
+        rest.remove(h);
+        left_out.back().push_back(v);
+        if (sharp.degree(v) == 2 && sharp.is_corner(v, angle)) left_out.emplace_back(1, v);
+      });
+      if (left_out.back().size() == 1) left_out.pop_back();
+    }
+  }
+  return left_out;
+}
+
 // Removes edges, and lines that end inside a patch without them.
 void leave_out(FeatureLines& lines, std::span<const Edge> edges, const FeatureLines& none, const base::Host& host) {
   for (const auto& [from, end] : edges) {
@@ -300,6 +326,11 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
   }
   for (const Index v : options.corners) {
     if (v < positions.size() && connectivity.outgoing(v) != no_index) ends.push_back(v);
+  }
+  if (options.sharp) {
+    FeatureLines sharp(positions, connectivity, triangles.size(), host);
+    sharp.add_sharp(options.angle, triangles);
+    graph.left_out = left_out_lines(std::move(sharp), lines, triangles.size(), options.angle, host);
   }
   Builder(lines, options.angle, ends, triangles, graph, host).run(options.shortest_side);
   return graph;

@@ -37,7 +37,8 @@ struct FeatureGraph {
         bends(memory),
         around(memory),
         patches(memory),
-        euler(memory) {}
+        euler(memory),
+        left_out(memory) {}
 
   Array<FeatureCorner> corners;
   Array<FeatureArc> arcs;
@@ -47,6 +48,7 @@ struct FeatureGraph {
   base::Groups<FeatureEnd, Index> around;  // of each corner, counter-clockwise seen from outside
   Array<Index> patches;                    // of each triangle
   Array<std::int64_t> euler;               // Euler characteristic of each patch, its border included
+  Array<Array<Index>> left_out;            // the vertices along each line of sharp edges that no arc has
   std::size_t sharp_edges = 0;             // of the surface
   double sharp_length = 0;                 // of these, without repairs
   std::size_t continued = 0, cut_sectors = 0;  // repairs
