@@ -107,17 +107,10 @@ class Fit {
       targets_.keep_at(place.vertex, place.position);
   }
 
-  // Makes boxes of the mean lengths of a hexahedron its shape: the scaled Jacobian does not depend on lengths.
   void set_own_shapes() {
     base::parallel_pieces(host_, "fit", mesh_.hexahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Hexahedron& h = mesh_.hexahedra[i];
-        std::array<double, 3> length{};
-        for (std::size_t d = 0; d < 3; ++d) {
-          for (const auto& e : edges_along[d])
-            length[d] += 0.25 * (mesh_.positions[h[e[1]]] - mesh_.positions[h[e[0]]]).norm();
-          length[d] = std::clamp(length[d], shortest * sizes_[i][d], longest * sizes_[i][d]);
-        }
+        const std::array<double, 3> length = own_lengths(mesh_, static_cast<Index>(i), sizes_[i]);
         for (std::size_t k = 0; k < 8; ++k)
           hex_tetrahedra[k].set_shape(length, elements_[8 * i + k]);
       }
@@ -150,6 +143,17 @@ class Fit {
 };
 
 }  // namespace
+
+std::array<double, 3> own_lengths(const HexMesh& mesh, Index hexahedron, const std::array<double, 3>& given) {
+  const Hexahedron& h = mesh.hexahedra[hexahedron];
+  std::array<double, 3> length{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (const auto& e : edges_along[d])
+      length[d] += 0.25 * (mesh.positions[h[e[1]]] - mesh.positions[h[e[0]]]).norm();
+    length[d] = std::clamp(length[d], shortest * given[d], longest * given[d]);
+  }
+  return length;
+}
 
 bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
                      const base::Host& host) {

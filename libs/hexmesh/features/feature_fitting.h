@@ -12,6 +12,10 @@ struct FeatureFitOptions {
 // The lengths that each hexahedron should have along its three directions.
 using BoxSizes = Array<std::array<double, 3>>;
 
+// The mean lengths that a hexahedron has along its directions, not too far from the given ones. A box of these is a
+// target shape that leaves lengths as they are: the scaled Jacobian does not depend on them.
+std::array<double, 3> own_lengths(const HexMesh& mesh, Index hexahedron, const std::array<double, 3>& given);
+
 // Untangles the mesh with a loose boundary, then raises the weights of the targets with positive determinants as a
 // barrier. Returns whether no corner is inverted.
 bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
@@ -23,9 +27,10 @@ bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targe
 std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
                              const base::Host& host);
 
-// Moves the vertices of the hexahedra that may be folded, wherever that helps. Returns the number of boundary vertices
-// that it moves, and which are off their targets then.
-std::size_t free_folded_hexahedra(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host);
+// Moves the vertices of the hexahedra that may be folded: by unfold_hexahedra(), and those that stay folded wherever
+// that helps. Returns the number of boundary vertices off their targets.
+std::size_t free_folded_hexahedra(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
+                                  const base::Host& host);
 
 // Improves the positions inside with the boundary fixed.
 void smooth_inside(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, int steps,

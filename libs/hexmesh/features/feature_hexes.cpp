@@ -95,7 +95,7 @@ std::optional<HexResult> fitted_result(GradedCells& cells, std::span<const Vecto
   HexResult result = result_of(cells, off, positions, triangles, host);
   if (result.quality.positive()) return result;
   // A few folds cost less of the features than other cells.
-  off += free_folded_hexahedra(cells.mesh(), cells.targets(), options.bound, host);
+  off = free_folded_hexahedra(cells.mesh(), cells.sizes(), cells.targets(), options.bound, host);
   return result_of(cells, off, positions, triangles, host);
 }
 

@@ -5,6 +5,7 @@
 #include "base/grouping.h"
 #include "base/random.h"
 #include "hexmesh/features/feature_fitting.h"
+#include "hexmesh/features/unfolding.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -108,7 +109,7 @@ class FeatureSearch {
 
   // The scaled Jacobian, or less where the determinant may not be positive between good corners.
   double quality(Index hexahedron) const {
-    constexpr double certain = 0.5;
+    constexpr double certain = 0.75;
     constexpr double flat = 0.01, worse = 1;  // than whatever is between good corners
     const Hexahedron& h = mesh_.hexahedra[hexahedron];
     const double corners = scaled_jacobian(mesh_.positions, h);
@@ -238,8 +239,12 @@ std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTarget
   return left == 0 ? 0 : search.snap();
 }
 
-std::size_t free_folded_hexahedra(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host) {
-  return FeatureSearch(mesh, targets, bound, host).free_folded();
+std::size_t free_folded_hexahedra(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
+                                  const base::Host& host) {
+  const bool unfolded = unfold_hexahedra(mesh, sizes, targets, host);
+  FeatureSearch search(mesh, targets, bound, host);
+  const std::size_t left = search.snap();
+  return unfolded ? left : left + search.free_folded();
 }
 
 }  // namespace orbicube::hexmesh
