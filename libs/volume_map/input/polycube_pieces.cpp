@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -52,6 +54,9 @@ void fill(const PieceOptions& options, mesh::Mesh&& surface, PolycubePiece& resu
   if (result.surface.size() < surface.triangles.size()) result.fine = std::move(surface);
 }
 
+// Of angles, on the mean: where a polycube is no basis for hexahedra and only takes long. Those of use have 1 to 3.
+constexpr double useless = 50;
+
 void make_polycube(const PieceOptions& options, PolycubePiece& result, const InputFindings& findings,
                    const base::Host& host) {
   // The surface's vertices are the first ones; what lies inside is of no interest to the polycube.
@@ -72,7 +77,10 @@ void make_polycube(const PieceOptions& options, PolycubePiece& result, const Inp
     if (options.polycubes != Polycubes::none) {
       result.made = construct_polycube(
           positions, result.surface, {.corners = options.corners, .preferred_corners = 60, .seed = options.seed}, host);
-      return;
+      if (options.polycubes == Polycubes::needed || result.made.distortion.angle_mean < useless) return;
+      findings.note("there is no polycube of use: mean distortion of angles " +
+                    std::to_string(std::lround(result.made.distortion.angle_mean)));
+      result.made = polycube::Construction(host.memory);
     }
   } catch (const base::Error& error) {
     if (options.polycubes == Polycubes::needed || error.status() != base::Status::no_valid_result) throw;
