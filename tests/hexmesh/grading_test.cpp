@@ -2,17 +2,22 @@
 // that cells of one size would have to be tiny for.
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
 #include "base/random.h"
 #include "feature_requests.h"
+#include "hexmesh/captured/feature_bound.h"
 #include "hexmesh/captured/feature_choice.h"
 #include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/features/grading/graded_search.h"
+#include "hexmesh/features/unfolding.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "mesh/search/measures.h"
 #include "tests/base/quiet_host.h"
@@ -177,6 +182,10 @@ TEST_CASE("The rims of a cylinder are captured by few cells") {
   CHECK(keeper.figures().captured > 0.99);
 }
 
+TEST_CASE("A part of closed arcs alone has no right angles for a polycube") {
+  CHECK_FALSE(has_right_angles(feature_surface(cylinder(), by_angles, host), host));
+}
+
 TEST_CASE("A narrow slot costs cells across it alone") {
   FeatureKeeper keeper(slotted_block(), {.request = by_angles, .cells = 1000, .max_cells = 8000}, host);
   REQUIRE(keeper.any());
@@ -266,4 +275,38 @@ TEST_CASE("Cells become smaller where a patch bends between its arcs") {
   CHECK(made.result.distance <= options.distance);
   // Smaller cells everywhere would have to be four times as many, more than there may be.
   CHECK(made.result.mesh.hexahedra.size() < 3 * first.result.mesh.hexahedra.size());
+}
+
+TEST_CASE("A twisted hexahedron is unfolded with those around it, and others stay") {
+  const FeatureSurface surface = feature_surface(slotted_block(), by_angles, host);
+  GradedSearch search(surface.positions, surface.triangles, surface.graph, 1000, 8000, 1e6, host);
+  const std::optional<EmbeddedCells> found = search.next();
+  REQUIRE(found);
+  GradedCells& cells = *found->cells;
+  HexMesh& mesh = cells.mesh();
+  REQUIRE(fit_to_features(mesh, cells.sizes(), cells.targets(), {.rounds = 24}, host));
+  const Array<Vector3> fitted = mesh.positions;
+  REQUIRE(measure_hexahedra(mesh.positions, mesh.hexahedra, host).positive());
+  // A hexahedron inside is twisted.
+  const auto is_inside = [&](const Hexahedron& h) {
+    return std::all_of(h.begin(), h.end(),
+                       [&](Index v) { return cells.targets().kind(v) == FeatureTargets::Kind::inside; });
+  };
+  const auto inner = std::find_if(mesh.hexahedra.begin(), mesh.hexahedra.end(), is_inside);
+  REQUIRE(inner != mesh.hexahedra.end());
+  for (const std::size_t face : {std::size_t{0}, std::size_t{4}}) {
+    const auto corner = [&](std::size_t k) -> const Vector3& { return fitted[(*inner)[face + k]]; };
+    const Vector3 center = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
+    const Vector3 axis = (corner(2) - corner(0)).cross(corner(3) - corner(1)).normalized();
+    const Eigen::AngleAxisd turn(face == 0 ? -1.2 : 1.2, axis);
+    for (std::size_t k = 0; k < 4; ++k)
+      mesh.positions[(*inner)[face + k]] = center + turn * (corner(k) - center);
+  }
+  REQUIRE_FALSE(measure_hexahedra(mesh.positions, mesh.hexahedra, host).positive());
+  CHECK(unfold_hexahedra(mesh, cells.sizes(), cells.targets(), host));
+  CHECK(measure_hexahedra(mesh.positions, mesh.hexahedra, host).positive());
+  std::size_t same = 0;
+  for (std::size_t v = 0; v < fitted.size(); ++v)
+    same += mesh.positions[v] == fitted[v] ? 1 : 0;
+  CHECK(same > fitted.size() / 4);
 }

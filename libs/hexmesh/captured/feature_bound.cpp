@@ -123,9 +123,13 @@ double scaled_jacobian_bound(const FeatureSurface& surface, const base::Host& ho
 bool has_right_angles(const FeatureSurface& surface, const base::Host& host) {
   constexpr double low = 70, high = 110;  // degrees
   const mesh::FeatureGraph& graph = surface.graph;
+  bool corners = false;
   for (Index c = 0; c < graph.corners.size(); ++c) {
-    if (!graph.corners[c].soft && graph.around.size(c) != 3) return false;
+    if (graph.corners[c].soft) continue;
+    if (graph.around.size(c) != 3) return false;
+    corners = true;
   }
+  if (!corners) return false;
   const mesh::Connectivity connectivity(surface.positions.size(), surface.triangles, host);
   bool right = true;
   for (const mesh::FeatureArc& arc : graph.arcs) {

@@ -11,8 +11,9 @@ namespace orbicube::hexmesh {
 // sector's mean normal n and angle t. 0: no direction sees all sectors. O(n).
 double scaled_jacobian_bound(const FeatureSurface& surface, const base::Host& host);
 
-// Whether the surface turns by 70 to 110 degrees along all arcs, and three of them meet at each corner that is not
-// soft: what the edges of a polycube can follow. O(n).
+// Whether the surface turns by 70 to 110 degrees along all arcs, and there are corners that are not soft, where three
+// of them meet: what the edges of a polycube can follow. Of parts with closed arcs alone, such as flanges, it hardly
+// ever follows these. O(n).
 bool has_right_angles(const FeatureSurface& surface, const base::Host& host);
 
 // Returns the distance of the origin from the convex hull of vectors, which is the largest minimum over them of v d

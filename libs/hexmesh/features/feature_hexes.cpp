@@ -183,6 +183,26 @@ bool refine_for_more(double times_too_far, double most, const FeatureFigures& fi
   return true;
 }
 
+void log_missed(double cells, const std::string& obstacle, const base::Host& host) {
+  host.log("features in about " + std::to_string(static_cast<std::size_t>(cells)) + " hexahedra: " + obstacle);
+}
+
+void log_fitted(const HexResult& result, const FeatureFigures& figures, double distance, const base::Host& host) {
+  host.log("features in " + std::to_string(result.mesh.hexahedra.size()) +
+           " hexahedra: " + std::to_string(figures.captured) + " of the length captured, " +
+           std::to_string(excess(result, distance)) + " times as far away as requested");
+}
+
+// The next grid that is not the one of `refused` hexahedra again: what was requested after a fit may be less than what
+// the grid had.
+std::optional<EmbeddedCells> next_other(GradedSearch& search, std::size_t refused) {
+  for (;;) {
+    std::optional<EmbeddedCells> found = search.next();
+    if (!found || found->cells->mesh().hexahedra.size() != refused) return found;
+    search.refine_everywhere(finer_at_missing);
+  }
+}
+
 }  // namespace
 
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
@@ -192,17 +212,17 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   const auto given = static_cast<double>(options.cells);
   const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
   double captured = 0;         // of made.result
+  std::size_t refused = 0;     // hexahedra of the last mesh that could not be fitted
   std::size_t correction = 0;  // hexahedra that another mesh may have where one is valid and only too far away
   GradedSearch search(positions, triangles, graph, given, most, static_cast<double>(options.max_visited), host);
   const auto missed = [&](std::span<const FeatureObstacle> obstacles) {
     made.obstacle = text_of(obstacles[0], graph, positions);
     made.arcs_in_the_way = arcs_of(obstacles, graph, host);
-    host.log("features in about " + std::to_string(static_cast<std::size_t>(search.cells())) +
-             " hexahedra: " + made.obstacle);
+    log_missed(search.cells(), made.obstacle, host);
   };
   for (int fit = 0; fit < (options.once ? 1 : max_fits); ++fit) {
     const base::Stage stage(host, 0.5);
-    const std::optional<EmbeddedCells> found = search.next();
+    const std::optional<EmbeddedCells> found = next_other(search, refused);
     if (!found) {
       missed(search.obstacles());
       break;
@@ -219,6 +239,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       const FeatureObstacle obstacle = {no_index, arc, std::move(why)};
       missed(std::span(&obstacle, 1));
       search.refine_at(std::span(&obstacle, 1), finer);
+      refused = size;
     };
     const auto refine_chords = [&] {
       return refine_at_chords(made.result.mesh, positions, triangles, options.distance, *found->grading, search, host);
@@ -231,6 +252,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     HexResult& result = *fitted;
     const FeatureFigures figures = options.measure ? options.measure(result.mesh) : FeatureFigures();
+    log_fitted(result, figures, options.distance, host);
     if (!made.found || preferred(result, figures.captured, made.result, captured, options.distance)) {
       made.result = std::move(result);
       captured = figures.captured;

@@ -87,24 +87,34 @@ class Unfolding {
   }
 
   void relax(const Array<Index>& region, double weight) {
-    constexpr int untangling_steps = 60, steps = 10;
+    constexpr int untangling_steps = 60, steps = 4;
+    constexpr double last_weight = 1e4, growth = 10;
     const Array<std::uint8_t> fixed = fixed_coordinates(region);
+    set_pulls(fixed, weight);
+    const untangle::Variables variables(mesh_.positions, fixed, {}, host_.memory);
+    untangle::FoldoverEnergy energy(elements_, variables, volume_weight, host_);
+    energy.set_pulls(pulls_);
+    untangle::Newton newton(energy, variables.start(), host_);
+    if (!newton.untangle(untangling_steps, 1, 1, {.products = 80})) return;
+    // Back to the targets, with the determinants as a barrier.
+    for (; weight <= last_weight; weight *= growth) {
+      variables.expand(newton.values(), mesh_.positions);
+      set_pulls(fixed, weight);
+      untangle::EnergyValue now = energy.value(newton.values(), 0);
+      for (int k = 0; k < steps; ++k) {
+        if (newton.step(0, {.products = 60, .tolerance = 3e-2}, now) == 0) break;
+      }
+    }
+    variables.expand(newton.values(), mesh_.positions);
+  }
+
+  void set_pulls(const Array<std::uint8_t>& fixed, double weight) {
     for (const Index v : targets_.vertices()) {
       pulls_[v] = Pull();
       if (fixed[3 * std::size_t{v}] != 0) continue;
       pulls_[v].at = mesh_.positions[v];
       targets_.pull(v, mesh_.positions[v], weight, true, pulls_[v]);
     }
-    const untangle::Variables variables(mesh_.positions, fixed, {}, host_.memory);
-    untangle::FoldoverEnergy energy(elements_, variables, volume_weight, host_);
-    energy.set_pulls(pulls_);
-    untangle::Newton newton(energy, variables.start(), host_);
-    if (!newton.untangle(untangling_steps, 1, 1, {.products = 80})) return;
-    untangle::EnergyValue now = energy.value(newton.values(), 0);
-    for (int k = 0; k < steps; ++k) {
-      if (newton.step(0, {.products = 60, .tolerance = 3e-2}, now) == 0) break;
-    }
-    variables.expand(newton.values(), mesh_.positions);
   }
 
   HexMesh& mesh_;
