@@ -25,7 +25,7 @@ class FeatureSearch {
         bound_(bound),
         around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)) {}
 
-  // Lets vertices of patches go from their places where hexahedra are worse than on patches.
+  // Lets vertices of patches leave sharp lines where hexahedra are worse than they may be on patches.
   void release_places() {
     for (const Index v : targets_.vertices()) {
       if (targets_.kind(v) == FeatureTargets::Kind::patch && targets_.is_kept(v) && worst_around(v) < patch_floor())

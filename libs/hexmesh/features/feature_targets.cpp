@@ -157,34 +157,73 @@ void FeatureTargets::slide(std::span<const Vector3> positions) {
       const double before = s_[path[i]], reach = window * std::max(spacing[i - 1], spacing[i]);
       s_[path[i]] = shape_->nearest_on_arc(a, positions[path[i]], before, reach).s;
     }
-    double low = 0;
-    for (std::size_t i = 1; i < n; ++i)
-      low = s_[path[i]] = std::max(s_[path[i]], low + min_spacing * spacing[i - 1]);
-    double high = shape_->length(a);
-    for (std::size_t i = n; i-- > 1;)
-      high = s_[path[i]] = std::min(s_[path[i]], high - min_spacing * spacing[i]);
+    for (const Index v : path)
+      kept_[v] = 0;
+    space_out(a);
     keep_near_fades(a);
   }
 }
 
-// Only where the neighbors leave room.
+// As many bends and fades as possible get a vertex, and of such choices that which moves them least; vertices between
+// them make room.
 void FeatureTargets::keep_near_fades(Index arc) {
+  constexpr double reach = 1.2;  // of the spacing: how far a vertex goes to be kept
   const auto& path = paths_[arc];
-  const auto place_of = [&](std::size_t i) {
-    return i == 0 ? 0 : i + 1 == path.size() ? shape_->length(arc) : s_[path[i]];
+  const std::span<const double> places = shape_->bends_and_fades(arc);
+  if (places.empty()) return;
+  const std::size_t n = path.size() - 1;
+  Array<double> even(1, 0.0, s_.get_allocator().resource());  // arc lengths with equal edges
+  for (const double spacing : spacing_[arc])
+    even.push_back(even.back() + spacing);
+  struct Choice {
+    std::size_t vertex = 0, count = 0, before = 0;
+    double place = 0, moved = 0;
   };
-  for (const Index v : path)
-    kept_[v] = 0;
-  for (const double s : shape_->bends_and_fades(arc)) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      if (std::abs(place_of(i) - s) < std::abs(place_of(nearest) - s)) nearest = i;
+  const auto has_room = [&](const Choice& low, std::size_t vertex, double place) {
+    return vertex > low.vertex && place - low.place >= min_spacing * (even[vertex] - even[low.vertex]);
+  };
+  Array<Choice> choices(1, Choice(), s_.get_allocator().resource());
+  for (const double place : places) {
+    const std::size_t earlier = choices.size();
+    for (std::size_t i = 1; i < n; ++i) {
+      const double moved = std::abs(s_[path[i]] - place);
+      if (moved > reach * std::max(spacing_[arc][i - 1], spacing_[arc][i])) continue;
+      if (shape_->length(arc) - place < min_spacing * (even[n] - even[i])) continue;
+      Choice best;
+      for (std::size_t k = 0; k < earlier; ++k) {
+        const Choice& low = choices[k];
+        if (!has_room(low, i, place)) continue;
+        const Choice now = {i, low.count + 1, k, place, low.moved + moved};
+        if (now.count > best.count || (now.count == best.count && now.moved < best.moved)) best = now;
+      }
+      if (best.count > 0) choices.push_back(best);
     }
-    if (nearest == 0 || nearest + 1 == path.size() || kept_[path[nearest]] != 0) continue;
-    const double before = s - place_of(nearest - 1), after = place_of(nearest + 1) - s;
-    if (before < min_spacing * spacing_[arc][nearest - 1] || after < min_spacing * spacing_[arc][nearest]) continue;
-    s_[path[nearest]] = s;
-    kept_[path[nearest]] = 1;
+  }
+  const auto last = std::max_element(choices.begin(), choices.end(), [](const Choice& x, const Choice& y) {
+    return x.count != y.count ? x.count < y.count : x.moved > y.moved;
+  });
+  for (const Choice* c = &*last; c->count > 0; c = &choices[c->before]) {
+    s_[path[c->vertex]] = c->place;
+    kept_[path[c->vertex]] = 1;
+  }
+  space_out(arc);
+}
+
+// Moves vertices that are not kept so that none is too close to its neighbors.
+void FeatureTargets::space_out(Index arc) {
+  const auto& path = paths_[arc];
+  const std::size_t n = path.size() - 1;
+  double low = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    double& s = s_[path[i]];
+    if (kept_[path[i]] == 0) s = std::max(s, low + min_spacing * spacing_[arc][i - 1]);
+    low = s;
+  }
+  double high = shape_->length(arc);
+  for (std::size_t i = n; i-- > 1;) {
+    double& s = s_[path[i]];
+    if (kept_[path[i]] == 0) s = std::min(s, high - min_spacing * spacing_[arc][i]);
+    high = s;
   }
 }
 

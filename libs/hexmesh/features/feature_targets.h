@@ -44,7 +44,7 @@ class FeatureTargets {
   void pull(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
 
   // Moves the targets of the vertices of each arc to the points nearest to them, in their order and not too close to
-  // each other. Where a sharp line fades, the nearest one stays there.
+  // each other. Where a sharp line bends or fades, one stays there if the others leave room.
   void slide(std::span<const Vector3> positions);
 
   // The arc length at which a vertex of an arc is, and where it may be between its neighbors.
@@ -56,6 +56,7 @@ class FeatureTargets {
 
  private:
   void keep_near_fades(Index arc);
+  void space_out(Index arc);
   void pull_to_target(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
 
   const FeatureShape* shape_;

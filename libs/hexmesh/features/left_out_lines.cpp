@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/infinity.h"
 #include "hexmesh/features/boundary_quads.h"
 
 namespace orbicube::hexmesh {
@@ -11,7 +11,6 @@ namespace {
 
 constexpr double reach = 0.75;    // of the mean edge there: how far a vertex may be from its place
 constexpr double on_line = 0.05;  // of the mean edge: vertices that have another target but are there already
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Points at equal distances along a line.
 Array<Vector3> points_along(const FeatureShape& shape, std::span<const Index> line, std::size_t steps,
@@ -53,7 +52,7 @@ class PathFinder {
     if (!(edge_ > 0 && length > 0)) return;
     const auto few = static_cast<std::size_t>(std::max(1.0, std::floor(length / edge_)));
     Array<PlaceOnLine> best(host_.memory);
-    double least = infinity;
+    double least = base::infinity;
     for (const std::size_t steps : {few, few + 1}) {
       Array<PlaceOnLine> path(host_.memory);
       const double cost = find_path(points_along(shape, line, steps, host_), path);
@@ -70,8 +69,8 @@ class PathFinder {
  private:
   struct Candidate {
     Index vertex = no_index;
-    double cost = infinity;  // of the path up to there
-    std::size_t before = 0;  // the candidate of the last point
+    double cost = base::infinity;  // of the path up to there
+    std::size_t before = 0;        // the candidate of the last point
   };
 
   double mean_edge_near(const Vector3& p) const {
@@ -102,7 +101,7 @@ class PathFinder {
     return result;
   }
 
-  // Returns the mean of the squares of the distances that the vertices of the best path go; infinity where there is no
+  // Returns the mean of the squares of the distances that the vertices of the best path go; infinite where there is no
   // path.
   double find_path(std::span<const Vector3> points, Array<PlaceOnLine>& path) const {
     Array<Array<Candidate>> levels(host_.memory);
@@ -112,7 +111,7 @@ class PathFinder {
       Array<Candidate>& now = levels.back();
       for (Candidate& c : now) {
         const double own = (positions_[c.vertex] - p).squaredNorm();
-        c.cost = levels.size() == 1 ? own : infinity;
+        c.cost = levels.size() == 1 ? own : base::infinity;
         if (levels.size() == 1) continue;
         const Array<Candidate>& last = levels[levels.size() - 2];
         for (std::size_t i = 0; i < last.size(); ++i) {
@@ -125,14 +124,14 @@ class PathFinder {
     const Array<Candidate>& ends = levels.back();
     const auto end = std::min_element(ends.begin(), ends.end(),
                                       [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    if (end == ends.end() || end->cost == infinity) return infinity;
+    if (end == ends.end() || end->cost == base::infinity) return base::infinity;
     path.resize(points.size());
     std::size_t at = static_cast<std::size_t>(end - ends.begin());
     for (std::size_t k = points.size(); k-- > 0;) {
       path[k] = {levels[k][at].vertex, points[k]};
       at = levels[k][at].before;
     }
-    return is_simple(path) ? end->cost / static_cast<double>(points.size()) : infinity;
+    return is_simple(path) ? end->cost / static_cast<double>(points.size()) : base::infinity;
   }
 
   bool is_simple(std::span<const PlaceOnLine> path) const {

@@ -13,9 +13,9 @@ struct PlaceOnLine {
 };
 
 // For each line that has a path of boundary edges near to it: the vertices of the path, all of one patch or on the line
-// already, with their places at equal distances along the line, both ends included. Of several paths the one whose
-// vertices are nearest to these is taken (Viterbi 1967). No vertex has two places. Positions are in the unit of the
-// shape of the targets. O(n) for each line of which there are few.
+// already, with target positions at equal distances along the line, both ends included. Of several paths the one whose
+// vertices are nearest to these is taken (Viterbi 1967). No vertex gets two positions. Positions are in the unit of the
+// shape of the targets. O(n) for each line; there are few.
 Array<PlaceOnLine> places_on_lines_left_out(const HexMesh& mesh, const FeatureTargets& targets, const base::Host& host);
 
 }  // namespace orbicube::hexmesh

@@ -11,6 +11,7 @@ namespace orbicube::hexmesh {
 namespace {
 
 constexpr int max_attempts = 8;
+constexpr std::size_t most_folded = 500;             // hexahedra: of more, the cells are at fault
 constexpr int first_rings = 3;                       // of hexahedra around, and one more an attempt
 constexpr double first_pull = 100, less_pull = 0.3;  // of the boundary to its targets, and times that an attempt
 constexpr double volume_weight = 0.2;                // of the energy, as where the mesh is fitted
@@ -30,6 +31,7 @@ class Unfolding {
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
       const Array<Index> folded = folded_hexahedra();
       if (folded.empty()) return true;
+      if (folded.size() > most_folded) return false;
       const Array<Index> region = with_rings(folded, first_rings + attempt);
       set_elements(folded, region);
       relax(region, first_pull * std::pow(less_pull, attempt));
