@@ -1,6 +1,7 @@
 #include "hexmesh/features/feature_hexes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -59,6 +60,10 @@ Index arc_at_worst(const GradedCells& cells) {
 Index arc_at_fault(const GradedCells& cells, const std::optional<HexResult>& result) {
   if (!result || !result->quality.positive() || result->quality.intersections == 0) return arc_at_worst(cells);
   return nearest_arc(cells.shape(), cells.unit() * result->quality.first_intersection);
+}
+
+std::string why_not(const std::optional<HexResult>& result) {
+  return result ? what_is_wrong(result->quality) : "the cells along the arcs do not untangle";
 }
 
 HexResult result_of(const GradedCells& cells, std::size_t off_surface, std::span<const Vector3> positions,
@@ -230,31 +235,26 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     GradedCells& cells = *found->cells;
     const std::size_t size = cells.mesh().hexahedra.size();
     if (size > std::max(options.max_fitted - std::min(options.max_fitted, made.fitted), correction)) {
-      const FeatureObstacle obstacle = {no_index, no_index, std::to_string(size) + " more hexahedra take too long"};
-      if (made.obstacle.empty()) missed(std::span(&obstacle, 1));
+      if (made.obstacle.empty())
+        missed(std::array{FeatureObstacle{no_index, no_index, std::to_string(size) + " more hexahedra take too long"}});
       break;
     }
     made.fitted += size;
-    const auto not_fitted = [&](std::string why, Index arc) {
-      const FeatureObstacle obstacle = {no_index, arc, std::move(why)};
-      missed(std::span(&obstacle, 1));
-      search.refine_at(std::span(&obstacle, 1), finer);
-      refused = size;
-    };
     const auto refine_chords = [&] {
       return refine_at_chords(made.result.mesh, positions, triangles, options.distance, *found->grading, search, host);
     };
     std::optional<HexResult> fitted = fitted_result(cells, positions, triangles, options, host);
     if (!fitted || !fitted->quality.valid()) {
-      not_fitted(fitted ? what_is_wrong(fitted->quality) : "the cells along the arcs do not untangle",
-                 arc_at_fault(cells, fitted));
+      const std::array fault = {FeatureObstacle{no_index, arc_at_fault(cells, fitted), why_not(fitted)}};
+      missed(fault);
+      search.refine_at(fault, finer);
+      refused = size;
       continue;
     }
-    HexResult& result = *fitted;
-    const FeatureFigures figures = options.measure ? options.measure(result.mesh) : FeatureFigures();
-    log_fitted(result, figures, options.distance, host);
-    if (!made.found || preferred(result, figures.captured, made.result, captured, options.distance)) {
-      made.result = std::move(result);
+    const FeatureFigures figures = options.measure ? options.measure(fitted->mesh) : FeatureFigures();
+    log_fitted(*fitted, figures, options.distance, host);
+    if (!made.found || preferred(*fitted, figures.captured, made.result, captured, options.distance)) {
+      made.result = std::move(*fitted);
       captured = figures.captured;
     }
     made.found = true;

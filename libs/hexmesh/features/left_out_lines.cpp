@@ -12,7 +12,9 @@ namespace {
 constexpr double reach = 0.75;    // of the mean edge there: how far a vertex may be from its place
 constexpr double on_line = 0.05;  // of the mean edge: vertices that have another target but are there already
 
-// Points at equal distances along a line.
+constexpr std::size_t most_lines = 2000;  // more are noise, and take long
+
+// Points at equal distances along a line that is not of length 0.
 Array<Vector3> points_along(const FeatureShape& shape, std::span<const Index> line, std::size_t steps,
                             const base::Host& host) {
   Array<double> along(1, 0.0, host.memory);
@@ -46,10 +48,10 @@ class PathFinder {
     double length = 0;
     for (std::size_t i = 1; i < line.size(); ++i)
       length += (shape.positions()[line[i]] - shape.positions()[line[i - 1]]).norm();
+    if (!(length > 0)) return;
     const Vector3 middle = points_along(shape, line, 2, host_)[1];
     patch_ = shape.nearest_patch(middle);
     edge_ = mean_edge_near(middle);
-    if (!(edge_ > 0 && length > 0)) return;
     const auto few = static_cast<std::size_t>(std::max(1.0, std::floor(length / edge_)));
     Array<PlaceOnLine> best(host_.memory);
     double least = base::infinity;
@@ -157,7 +159,7 @@ Array<PlaceOnLine> places_on_lines_left_out(const HexMesh& mesh, const FeatureTa
                                             const base::Host& host) {
   Array<PlaceOnLine> places(host.memory);
   const auto lines = targets.shape().lines_left_out();
-  if (lines.empty()) return places;
+  if (lines.empty() || lines.size() > most_lines) return places;
   PathFinder finder(mesh, targets, host);
   for (const Array<Index>& line : lines)
     finder.add_places(line, places);
