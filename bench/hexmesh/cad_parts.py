@@ -113,8 +113,8 @@ def skewed(rng):
         centre = (rng.uniform(.3, .7), rng.uniform(.25, .45), .4)
         tools.append(cylinder(*(c - 3 * w for c, w in zip(centre, way)), *(6 * w for w in way), rng.uniform(.08, .2)))
     if rng.random() < .5:
-        stub = cylinder(.5, .5, .3, rng.uniform(-.5, .5), rng.uniform(-.3, .3), 1.2, .15)
-        return cut(fuse(part, stub), tools[0])
+        pin = cylinder(.5, .5, .3, rng.uniform(-.5, .5), rng.uniform(-.3, .3), 1.2, .15)
+        return cut(fuse(part, pin), tools[0])
     return cut(part, *tools)
 
 

@@ -27,8 +27,9 @@ bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targe
 std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
                              const base::Host& host);
 
-// Moves the vertices of the hexahedra that may be folded: by unfold_hexahedra(), and those that stay folded wherever
-// that helps. Returns the number of boundary vertices off their targets.
+// Moves the vertices of the hexahedra that may be folded: by unfold_hexahedra(), and where that is not enough wherever
+// it helps; then back to their targets as far as the hexahedra allow. Returns the number of boundary vertices off
+// these.
 std::size_t free_folded_hexahedra(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
                                   const base::Host& host);
 

@@ -258,8 +258,8 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       captured = figures.captured;
     }
     made.found = true;
-    if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
     const double times_too_far = excess(made.result, options.distance);
+    if (times_too_far <= 1 && captured >= all_captured) break;
     if (times_too_far > 1 && correction == 0) correction = size + size / 2;
     if (!refine_for_more(times_too_far, most, figures, refine_chords, search)) break;
   }

@@ -68,22 +68,19 @@ class FeatureSearch {
     return left;
   }
 
-  // Moves the vertices of hexahedra that may be folded off their targets. Returns how many it moved.
-  std::size_t free_folded() {
+  // Moves the vertices of hexahedra that may be folded off their targets.
+  void free_folded() {
     constexpr int passes = 20;
     double radius = first_radius;
-    Array<Index> moved(host_.memory);
     for (int pass = 0; pass < passes; ++pass) {
       const Array<Index> vertices = vertices_of_worst(0, true);
       if (vertices.empty()) break;
       for (const Index v : vertices) {
         host_.report("search", static_cast<std::uint64_t>(pass), passes);
-        if (try_positions(v, radius, true) && targets_.kind(v) != FeatureTargets::Kind::inside) moved.push_back(v);
+        try_positions(v, radius, true);
       }
       radius = std::max(last_radius, radius * shrinking);
     }
-    std::sort(moved.begin(), moved.end());
-    return static_cast<std::size_t>(std::unique(moved.begin(), moved.end()) - moved.begin());
   }
 
   void improve() {
@@ -181,9 +178,8 @@ class FeatureSearch {
 
   double uniform() { return 2 * base::unit_interval(random_()) - 1; }
 
-  // Returns whether a position was better; on the target of the vertex, unless it is free.
-  bool try_positions(Index v, double radius, bool free) {
-    bool moved = false;
+  // Takes better positions; on the target of the vertex, unless it is free.
+  void try_positions(Index v, double radius, bool free) {
     constexpr int trials = 8, far_trials = 4;
     constexpr double near = 0.2;       // of the radius
     constexpr double gain = 1e-3;      // of what is missing
@@ -208,13 +204,11 @@ class FeatureSearch {
       if (better) {
         missing = now;
         sum = sum_around(v);
-        moved = true;
       } else {
         mesh_.positions[v] = from;
         targets_.set_place(v, place);
       }
     }
-    return moved;
   }
 
   HexMesh& mesh_;
@@ -243,8 +237,8 @@ std::size_t free_folded_hexahedra(HexMesh& mesh, const BoxSizes& sizes, FeatureT
                                   const base::Host& host) {
   const bool unfolded = unfold_hexahedra(mesh, sizes, targets, host);
   FeatureSearch search(mesh, targets, bound, host);
-  const std::size_t left = search.snap();
-  return unfolded ? left : left + search.free_folded();
+  if (!unfolded) search.free_folded();
+  return search.snap();
 }
 
 }  // namespace orbicube::hexmesh

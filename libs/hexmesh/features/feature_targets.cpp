@@ -168,10 +168,12 @@ void FeatureTargets::slide(std::span<const Vector3> positions) {
 // them make room.
 void FeatureTargets::keep_near_fades(Index arc) {
   constexpr double reach = 1.2;  // of the spacing: how far a vertex goes to be kept
+  constexpr std::size_t most_places =
+      8;  // an edge: of more, hardly any gets a vertex, and the choices are their square
   const auto& path = paths_[arc];
   const std::span<const double> places = shape_->bends_and_fades(arc);
-  if (places.empty()) return;
   const std::size_t n = path.size() - 1;
+  if (places.empty() || places.size() > most_places * n) return;
   Array<double> even(1, 0.0, s_.get_allocator().resource());  // arc lengths with equal edges
   for (const double spacing : spacing_[arc])
     even.push_back(even.back() + spacing);

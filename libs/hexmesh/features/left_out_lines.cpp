@@ -9,9 +9,8 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr double reach = 0.75;    // of the mean edge there: how far a vertex may be from its place
-constexpr double on_line = 0.05;  // of the mean edge: vertices that have another target but are there already
-
+constexpr double reach = 0.75;            // of the mean edge there: how far a vertex may be from its place
+constexpr double on_line = 0.05;          // of the mean edge: vertices that have another target but are there already
 constexpr std::size_t most_lines = 2000;  // more are noise, and take long
 
 // Points at equal distances along a line that is not of length 0.
@@ -41,6 +40,7 @@ class PathFinder {
         targets_(targets),
         host_(host),
         quads_(mesh.hexahedra, mesh.positions.size(), host),
+        near_(host.memory),
         taken_(mesh.positions.size(), 0, host.memory) {}
 
   void add_places(std::span<const Index> line, Array<PlaceOnLine>& places) {
@@ -52,6 +52,7 @@ class PathFinder {
     const Vector3 middle = points_along(shape, line, 2, host_)[1];
     patch_ = shape.nearest_patch(middle);
     edge_ = mean_edge_near(middle);
+    find_near(line);
     const auto few = static_cast<std::size_t>(std::max(1.0, std::floor(length / edge_)));
     Array<PlaceOnLine> best(host_.memory);
     double least = base::infinity;
@@ -89,6 +90,22 @@ class PathFinder {
     return sum / static_cast<double>(count);
   }
 
+  // The vertices in reach of the line's box.
+  void find_near(std::span<const Index> line) {
+    Vector3 low = targets_.shape().positions()[line[0]], high = low;
+    for (const Index v : line) {
+      low = low.cwiseMin(targets_.shape().positions()[v]);
+      high = high.cwiseMax(targets_.shape().positions()[v]);
+    }
+    low.array() -= reach * edge_;
+    high.array() += reach * edge_;
+    near_.clear();
+    for (const Index v : quads_.vertices()) {
+      const Vector3& p = positions_[v];
+      if ((p.array() >= low.array()).all() && (p.array() <= high.array()).all()) near_.push_back(v);
+    }
+  }
+
   bool may_go(Index v, double distance) const {
     if (taken_[v] != 0 || distance > reach * edge_) return false;
     return distance < on_line * edge_ ||
@@ -97,7 +114,7 @@ class PathFinder {
 
   Array<Candidate> candidates_at(const Vector3& p) const {
     Array<Candidate> result(host_.memory);
-    for (const Index v : quads_.vertices()) {
+    for (const Index v : near_) {
       if (may_go(v, (positions_[v] - p).norm())) result.push_back({v});
     }
     return result;
@@ -148,6 +165,7 @@ class PathFinder {
   const FeatureTargets& targets_;
   const base::Host& host_;
   BoundaryQuads quads_;
+  Array<Index> near_;
   Array<std::uint8_t> taken_;
   Index patch_ = no_index;
   double edge_ = 0;

@@ -13,7 +13,7 @@ namespace orbicube::volume_map {
 struct FrameMapOptions {
   double cell_length = 0;  // of the grid in space
   int max_attempts = 5;    // each with more tetrahedra around those that stayed inverted in the last
-  // Whether an attempt goes on with three times as many steps where tetrahedra stay inverted after the first 60.
+  // Whether an attempt begins again, with up to 120 steps, where tetrahedra stay inverted after the first 60.
   bool patient = true;
 };
 
