@@ -56,6 +56,7 @@ void BlockMatrix<block>::multiply(std::span<const double> x, std::span<double> y
 }
 
 template struct BlockMatrix<1>;
+template struct BlockMatrix<2>;
 template struct BlockMatrix<3>;
 
 }  // namespace orbicube::linear

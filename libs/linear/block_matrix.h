@@ -11,9 +11,9 @@
 
 namespace orbicube::linear {
 
-// `block` is the number of unknowns of a node: 1 or 3. Vectors have that many entries for each node, then one for each
-// shared unknown. An entry of a node that is not an unknown of its own has nothing but its diagonal in row and column.
-// Only the lower half is stored.
+// `block` is the number of unknowns of a node: 1, 2 or 3. Vectors have that many entries for each node, then one for
+// each shared unknown. An entry of a node that is not an unknown of its own has nothing but its diagonal in row and
+// column. Only the lower half is stored.
 template <int block>
 struct BlockMatrix {
   static constexpr std::size_t unknowns = block;
@@ -56,6 +56,7 @@ struct BlockMatrix {
 void make_rows(Array<std::pair<Index, Index>>& places, std::size_t rows, Array<Index>& begin, Array<Index>& columns);
 
 extern template struct BlockMatrix<1>;
+extern template struct BlockMatrix<2>;
 extern template struct BlockMatrix<3>;
 
 }  // namespace orbicube::linear

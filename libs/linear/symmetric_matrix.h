@@ -30,6 +30,7 @@ template <int block>
 BlockMatrix<block> in_blocks(const SymmetricMatrix& matrix, const base::Host& host);
 
 extern template BlockMatrix<1> in_blocks<1>(const SymmetricMatrix& matrix, const base::Host& host);
+extern template BlockMatrix<2> in_blocks<2>(const SymmetricMatrix& matrix, const base::Host& host);
 extern template BlockMatrix<3> in_blocks<3>(const SymmetricMatrix& matrix, const base::Host& host);
 
 }  // namespace orbicube::linear

@@ -138,7 +138,7 @@ TEST_CASE("Wrong arguments are refused with what is wrong") {
   obc_linear_iterative_options options;
   const auto iterative = [&] { return obc_linear_iterative_create(&matrix, &options, nullptr, &solver, &error); };
   REQUIRE(obc_linear_iterative_options_init(&options, sizeof options) == OBC_OK);
-  options.block_size = 2;
+  options.block_size = 4;
   CHECK(iterative() == OBC_INVALID_ARGUMENT);
   options.block_size = 3;
   CHECK(iterative() == OBC_INVALID_ARGUMENT);

@@ -11,9 +11,9 @@
 using namespace orbicube;
 using namespace orbicube::linear;
 
-TEST_CASE("Both methods reach the tolerance, for single unknowns and for blocks of three") {
+TEST_CASE("Both methods reach the tolerance, for single unknowns and for blocks of two and three") {
   const base::Host host;
-  for (const int block : {1, 3}) {
+  for (const int block : {1, 2, 3}) {
     const test::Matrix matrix = test::laplacian(12, block, 1e-3, 10);
     const std::vector<double> right = test::random_vector(matrix.size(), 3);
     for (const IterativeMethod method : {IterativeMethod::gauss_seidel, IterativeMethod::multigrid}) {

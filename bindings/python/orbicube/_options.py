@@ -129,7 +129,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("method", "word", "auto", words={"auto": 0, "gauss-seidel": 1, "multigrid": 2},
                doc="Preconditioner, OBC_LINEAR_ITERATIVE_AUTO to OBC_LINEAR_MULTIGRID. Default: OBC_LINEAR_ITERATIVE_AUTO."),
         Option("block_size", "int", 1, low=-2147483648, high=2147483647,
-               doc="Number of consecutive unknowns that form a block, as x, y, z of a point: 1 or 3. Default: 1."),
+               doc="Number of consecutive unknowns that form a block, as x, y, z of a point: 1, 2 or 3. Default: 1."),
         Option("max_iterations", "int", 1000, low=0, high=4294967295,
                doc="Maximum number of iterations of a solution. Default: 1000."),
         Option("tolerance", "float", 1e-08,

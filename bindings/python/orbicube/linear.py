@@ -212,8 +212,8 @@ class Iterative:
                  # end of options
                  progress: Progress = None, threads: int = 0) -> None:
         chosen = filled(raw.obc_linear_iterative_options, raw.obc_linear_iterative_options_init, locals())
-        if chosen.block_size not in (1, 3):
-            raise ValueError(f"block_size={chosen.block_size}: 1 or 3 is needed")
+        if chosen.block_size not in (1, 2, 3):
+            raise ValueError(f"block_size={chosen.block_size}: 1, 2 or 3 is needed")
         matrix, handle = _Matrix(A), ctypes.c_void_p()
         if matrix.n % chosen.block_size:
             raise ValueError(f"block_size={chosen.block_size}: A has {matrix.n} rows, which is no multiple of it")

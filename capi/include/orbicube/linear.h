@@ -130,7 +130,7 @@ typedef struct obc_linear_iterative_options {
   uint32_t struct_size;
 
   int32_t method;          /* Preconditioner, OBC_LINEAR_ITERATIVE_AUTO to OBC_LINEAR_MULTIGRID. Default: OBC_LINEAR_ITERATIVE_AUTO. */
-  int32_t block_size;      /* Number of consecutive unknowns that form a block, as x, y, z of a point: 1 or 3. Default: 1. */
+  int32_t block_size;      /* Number of consecutive unknowns that form a block, as x, y, z of a point: 1, 2 or 3. Default: 1. */
   uint32_t max_iterations; /* Maximum number of iterations of a solution. Default: 1000. */
   double tolerance;        /* Requested relative residual |b - A x| / |b|, 0 to 1, exclusive. Default: 1e-8. */
 } obc_linear_iterative_options;

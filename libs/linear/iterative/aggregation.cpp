@@ -160,6 +160,7 @@ std::size_t make_aggregates(const BlockMatrix<block>& matrix, Array<Index>& aggr
 }
 
 template std::size_t make_aggregates<1>(const BlockMatrix<1>&, Array<Index>&, const base::Host&);
+template std::size_t make_aggregates<2>(const BlockMatrix<2>&, Array<Index>&, const base::Host&);
 template std::size_t make_aggregates<3>(const BlockMatrix<3>&, Array<Index>&, const base::Host&);
 
 }  // namespace orbicube::linear

@@ -13,6 +13,7 @@ template <int block>
 std::size_t make_aggregates(const BlockMatrix<block>& matrix, Array<Index>& aggregate, const base::Host& host);
 
 extern template std::size_t make_aggregates<1>(const BlockMatrix<1>&, Array<Index>&, const base::Host&);
+extern template std::size_t make_aggregates<2>(const BlockMatrix<2>&, Array<Index>&, const base::Host&);
 extern template std::size_t make_aggregates<3>(const BlockMatrix<3>&, Array<Index>&, const base::Host&);
 
 }  // namespace orbicube::linear

@@ -40,6 +40,7 @@ int BlockSolver<block>::solve(std::span<const double> right, int max_steps, doub
 }
 
 template class BlockSolver<1>;
+template class BlockSolver<2>;
 template class BlockSolver<3>;
 
 }  // namespace orbicube::linear

@@ -36,6 +36,7 @@ class BlockSolver {
 };
 
 extern template class BlockSolver<1>;
+extern template class BlockSolver<2>;
 extern template class BlockSolver<3>;
 
 }  // namespace orbicube::linear

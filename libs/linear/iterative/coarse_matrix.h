@@ -14,6 +14,8 @@ void make_coarse(const BlockMatrix<block>& matrix, const Array<Index>& aggregate
 
 extern template void make_coarse<1>(const BlockMatrix<1>&, const Array<Index>&, std::size_t, BlockMatrix<1>&,
                                     const base::Host&);
+extern template void make_coarse<2>(const BlockMatrix<2>&, const Array<Index>&, std::size_t, BlockMatrix<2>&,
+                                    const base::Host&);
 extern template void make_coarse<3>(const BlockMatrix<3>&, const Array<Index>&, std::size_t, BlockMatrix<3>&,
                                     const base::Host&);
 

@@ -200,6 +200,7 @@ int GaussSeidel<block>::solve(std::span<const double> right, int max_steps, doub
 }
 
 template class GaussSeidel<1>;
+template class GaussSeidel<2>;
 template class GaussSeidel<3>;
 
 }  // namespace orbicube::linear

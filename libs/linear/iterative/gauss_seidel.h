@@ -49,6 +49,7 @@ class GaussSeidel {
 };
 
 extern template class GaussSeidel<1>;
+extern template class GaussSeidel<2>;
 extern template class GaussSeidel<3>;
 
 }  // namespace orbicube::linear

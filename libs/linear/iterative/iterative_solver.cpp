@@ -97,13 +97,16 @@ std::unique_ptr<IterativeSolver> make_block_solver(const SymmetricMatrix& matrix
 
 template std::unique_ptr<IterativeSolver> make_block_solver<1>(const SymmetricMatrix&, IterativeMethod,
                                                                const base::Host&);
+template std::unique_ptr<IterativeSolver> make_block_solver<2>(const SymmetricMatrix&, IterativeMethod,
+                                                               const base::Host&);
 template std::unique_ptr<IterativeSolver> make_block_solver<3>(const SymmetricMatrix&, IterativeMethod,
                                                                const base::Host&);
 
 std::unique_ptr<IterativeSolver> make_iterative_solver(const SymmetricMatrix& matrix, int block, IterativeMethod method,
                                                        const base::Host& host) {
-  base::require(block == 1 || block == 3, "the block size must be 1 or 3");
-  return block == 1 ? make_block_solver<1>(matrix, method, host) : make_block_solver<3>(matrix, method, host);
+  base::require(block >= 1 && block <= 3, "the block size must be 1, 2 or 3");
+  if (block == 1) return make_block_solver<1>(matrix, method, host);
+  return block == 2 ? make_block_solver<2>(matrix, method, host) : make_block_solver<3>(matrix, method, host);
 }
 
 }  // namespace orbicube::linear

@@ -32,8 +32,8 @@ class IterativeSolver {
   virtual std::size_t size() const = 0;
 };
 
-// Copies the matrix. `block` is 1 or 3, the number of consecutive unknowns that belong together, as x y z of a point.
-// `automatic` is multigrid from 20,000 blocks on. The host must outlive the solver.
+// Copies the matrix. `block` is 1, 2 or 3, the number of consecutive unknowns that belong together, as x y z of a
+// point. `automatic` is multigrid from 20,000 blocks on. The host must outlive the solver.
 std::unique_ptr<IterativeSolver> make_iterative_solver(const SymmetricMatrix& matrix, int block, IterativeMethod method,
                                                        const base::Host& host);
 
@@ -43,6 +43,8 @@ std::unique_ptr<IterativeSolver> make_block_solver(const SymmetricMatrix& matrix
                                                    const base::Host& host);
 
 extern template std::unique_ptr<IterativeSolver> make_block_solver<1>(const SymmetricMatrix&, IterativeMethod,
+                                                                      const base::Host&);
+extern template std::unique_ptr<IterativeSolver> make_block_solver<2>(const SymmetricMatrix&, IterativeMethod,
                                                                       const base::Host&);
 extern template std::unique_ptr<IterativeSolver> make_block_solver<3>(const SymmetricMatrix&, IterativeMethod,
                                                                       const base::Host&);

@@ -194,6 +194,7 @@ int Multigrid<block>::solve(std::span<const double> right, int max_steps, double
 }
 
 template class Multigrid<1>;
+template class Multigrid<2>;
 template class Multigrid<3>;
 
 }  // namespace orbicube::linear

@@ -59,6 +59,7 @@ class Multigrid {
 };
 
 extern template class Multigrid<1>;
+extern template class Multigrid<2>;
 extern template class Multigrid<3>;
 
 }  // namespace orbicube::linear

@@ -13,11 +13,10 @@
 namespace orbicube::polycube {
 namespace {
 
-// Each takes time in proportion to the 1.5th power of the triangles, as the factors of its systems do.
+// Each takes time in proportion to the triangles.
 int max_steps(std::size_t triangles) {
-  constexpr double work = 6e8, least = 12, most = 500;
-  const auto n = static_cast<double>(std::max<std::size_t>(triangles, 1));
-  return static_cast<int>(std::clamp(work / (n * std::sqrt(n)), least, most));
+  constexpr double work = 4e6, least = 20, most = 500;
+  return static_cast<int>(std::clamp(work / static_cast<double>(std::max<std::size_t>(triangles, 1)), least, most));
 }
 
 // What a round has to gain, of the distortion above an isometry, to be followed by another: more where rounds take

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/backtracking.h"
-#include "linear/sparse_system.h"
+#include "linear/iterative/block_solver.h"
 #include "untangle/flip_bound.h"
 
 namespace orbicube::polycube {
@@ -17,6 +17,8 @@ constexpr const char* unfolded_newton_phase = "smoothing";
 // Not an untangle::PlanarNewton: its triangles share coordinates but for signs. Here those of a vertex are turned and
 // shifted for each triangle, and ties add to the energy.
 class System {
+  using Block = linear::BlockMatrix<2>::Block;
+
  public:
   struct Element {
     RestTriangle rest;
@@ -24,6 +26,8 @@ class System {
     std::array<Index, 3> variable;  // pairs; no_index at corners of the polycube
     std::array<PlaneMotion, 3> motion;
     std::array<Vector2d, 3> fixed;
+    // Of the block of corners k and k + 1 below the diagonal of the matrix.
+    std::array<Index, 3> place = {no_index, no_index, no_index};
   };
 
   struct Tie {
@@ -38,36 +42,30 @@ class System {
         held_(std::move(held)),
         ties_(std::move(ties)),
         host_(host),
-        system_(make_system()),
-        places_(elements_.size(), host.memory),
-        diagonal_(2 * place_.size(), host.memory),
-        gradient_(static_cast<Eigen::Index>(2 * place_.size())),
+        matrix_(host.memory),
+        solver_(host),
+        gradient_(2 * place_.size(), host.memory),
+        change_(2 * place_.size(), host.memory),
         direction_(place_.size(), host.memory),
         trial_(place_.size(), host.memory) {
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      std::size_t n = 0;
-      for_each_entry(elements_[i], [&](Index row, Index column) {
-        places_[i][n++] = row >= column ? static_cast<std::uint32_t>(system_.place(row, column)) : no_index;
-      });
-    }
-    for (Index i = 0; i < diagonal_.size(); ++i)
-      diagonal_[i] = static_cast<std::uint32_t>(system_.place(i, i));
+    make_pattern();
   }
 
   // Returns by which part of itself the energy fell; 0 when no step lowers it.
   double step() {
+    // A direction this close to Newton's takes as many steps as his own.
+    constexpr double tolerance = 0.03;
+    constexpr int max_inner_steps = 300;
     const double before = assemble();
-    for (Index i = 0; i < diagonal_.size(); ++i) {
-      double& entry = system_.values()[diagonal_[i]];
-      entry = is_held(i) ? 1 : entry * (1 + 1e-9);
-    }
     host_.report(unfolded_newton_phase, 0, 0);
-    if (!system_.factorize()) return 0;
-    const Eigen::VectorXd x = -system_.solve(gradient_);
-    const double slope = gradient_.dot(x);
-    if (!x.allFinite() || !(slope < 0)) return 0;
+    solver_.factor(matrix_);
+    solver_.solve(gradient_, max_inner_steps, tolerance, change_);
+    double slope = 0;
+    for (std::size_t i = 0; i < gradient_.size(); ++i)
+      slope -= gradient_[i] * change_[i];
+    if (!std::isfinite(slope) || !(slope < 0)) return 0;
     for (std::size_t i = 0; i < place_.size(); ++i)
-      direction_[i] = x.segment<2>(static_cast<Eigen::Index>(2 * i));
+      direction_[i] = -Vector2d(change_[2 * i], change_[2 * i + 1]);
     const auto energy_after = [&](double length) {
       host_.report(unfolded_newton_phase, 0, 0);
       for (std::size_t k = 0; k < place_.size(); ++k)
@@ -83,35 +81,39 @@ class System {
   std::span<const Vector2d> places() const { return place_; }
 
  private:
-  // Rows and columns of an element's block of the matrix, no_index where corners are.
-  template <class Visit>
-  static void for_each_entry(const Element& e, const Visit& visit) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t j = 0; j < 6; ++j) {
-        const Index p = e.variable[i / 2], q = e.variable[j / 2];
-        if (p == no_index || q == no_index)
-          visit(0, no_index);
-        else
-          visit(2 * p + static_cast<Index>(i % 2), 2 * q + static_cast<Index>(j % 2));
+  static constexpr std::array<Index, 3> next = {1, 2, 0};
+
+  void make_pattern() {
+    Array<std::pair<Index, Index>> pairs(host_.memory);
+    pairs.reserve(3 * elements_.size());
+    const auto pair_of = [](const Element& e, std::size_t k) {
+      return std::minmax(e.variable[k], e.variable[next[k]]);  // no_index is above all others
+    };
+    for (const Element& e : elements_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [column, row] = pair_of(e, k);
+        if (row != no_index) pairs.emplace_back(row, column);
+      }
+    }
+    host_.report(unfolded_newton_phase, 0, 0);
+    linear::make_rows(pairs, place_.size(), matrix_.row_begin, matrix_.column);
+    matrix_.lower.resize(matrix_.column.size());
+    matrix_.diagonal.resize(place_.size());
+    matrix_.own.resize(place_.size());
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      matrix_.own[i] = static_cast<std::uint8_t>(~held_[i] & 3);
+    for (Element& e : elements_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [column, row] = pair_of(e, k);
+        if (row == no_index) continue;
+        const auto first = matrix_.column.begin();
+        const auto at = std::lower_bound(first + matrix_.row_begin[row], first + matrix_.row_begin[row + 1], column);
+        e.place[k] = static_cast<Index>(at - first);
       }
     }
   }
 
-  linear::SparseSystem make_system() {
-    linear::SparseSystem::Triplets triplets(host_.memory);
-    triplets.reserve(21 * elements_.size());
-    for (const Element& e : elements_) {
-      for_each_entry(e, [&](Index row, Index column) {
-        if (column != no_index && row >= column)
-          triplets.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
-      });
-    }
-    host_.report(unfolded_newton_phase, 0, 0);
-    return linear::SparseSystem(2 * place_.size(), triplets);
-  }
-
-  // Of a coordinate, whose row and column of the matrix are those of the identity then.
-  bool is_held(Index coordinate) const { return (held_[coordinate / 2] >> (coordinate % 2) & 1) != 0; }
+  bool is_held(Index variable, int axis) const { return (held_[variable] >> axis & 1) != 0; }
 
   Vector2d at(const Element& e, std::size_t k, std::span<const Vector2d> place) const {
     return e.variable[k] == no_index ? e.fixed[k] : e.motion[k](place[e.variable[k]]);
@@ -130,49 +132,74 @@ class System {
   }
 
   double assemble() {
-    gradient_.setZero();
-    std::fill_n(system_.values(), system_.value_count(), 0.0);
+    std::fill(gradient_.begin(), gradient_.end(), 0.0);
+    std::fill(matrix_.lower.begin(), matrix_.lower.end(), Block::Zero());
+    std::fill(matrix_.diagonal.begin(), matrix_.diagonal.end(), Block::Zero());
     double sum = 0;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       if (i % 4096 == 0) host_.report(unfolded_newton_phase, 0, 0);
-      const Element& e = elements_[i];
-      const Eigen::Matrix2d j = jacobian_of(e, place_);
-      sum += e.weight * distortion(j);
-      const Derivatives of(j);
-      // Columns: coordinates of each corner in its own plane.
-      Eigen::Matrix<double, 4, 6> b;
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (int s = 0; s < 2; ++s) {
-          const Vector2d way = turned_by(Vector2d::Unit(s), e.motion[k].quarters);
-          auto column = b.col(static_cast<Eigen::Index>(2 * k) + s);
-          column.head<2>() = way.x() * e.rest.hat[k];
-          column.tail<2>() = way.y() * e.rest.hat[k];
-        }
-      }
-      const Eigen::Matrix<double, 6, 1> slope = e.weight * (b.transpose() * of.first);
-      const Eigen::Matrix<double, 6, 6> block = e.weight * (b.transpose() * of.second * b);
-      for (std::size_t r = 0; r < 6; ++r) {
-        const auto row = static_cast<Eigen::Index>(r);
-        const Index coordinate = 2 * e.variable[r / 2] + static_cast<Index>(r % 2);
-        if (e.variable[r / 2] == no_index || is_held(coordinate)) continue;
-        gradient_[coordinate] += slope[row];
-        for (std::size_t c = 0; c < 6; ++c) {
-          const std::uint32_t place = places_[i][6 * r + c];
-          if (place == no_index || is_held(2 * e.variable[c / 2] + static_cast<Index>(c % 2))) continue;
-          system_.values()[place] += block(row, static_cast<Eigen::Index>(c));
-        }
-      }
+      sum += add(elements_[i]);
     }
     for (const auto& [variable, tie] : ties_) {
       sum += tie.energy(place_[variable]);
       for (Index k = 0; k < 2; ++k) {
-        const Index coordinate = 2 * variable + k;
-        if (is_held(coordinate)) continue;
-        gradient_[coordinate] += 2 * tie.weight[k] * (place_[variable][k] - tie.place[k]);
-        system_.values()[diagonal_[coordinate]] += 2 * tie.weight[k];
+        gradient_[2 * variable + k] += 2 * tie.weight[k] * (place_[variable][k] - tie.place[k]);
+        matrix_.diagonal[variable](k, k) += 2 * tie.weight[k];
       }
     }
+    hold();
     return sum;
+  }
+
+  // Adds the energy's derivatives to gradient and matrix; returns the energy.
+  double add(const Element& e) {
+    const Eigen::Matrix2d j = jacobian_of(e, place_);
+    const Derivatives of(j);
+    // Columns: coordinates of each corner in its own plane.
+    Eigen::Matrix<double, 4, 6> b;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (int s = 0; s < 2; ++s) {
+        const Vector2d way = turned_by(Vector2d::Unit(s), e.motion[k].quarters);
+        auto column = b.col(static_cast<Eigen::Index>(2 * k) + s);
+        column.head<2>() = way.x() * e.rest.hat[k];
+        column.tail<2>() = way.y() * e.rest.hat[k];
+      }
+    }
+    const Eigen::Matrix<double, 6, 1> slope = e.weight * (b.transpose() * of.first);
+    const Eigen::Matrix<double, 6, 6> block = e.weight * (b.transpose() * of.second * b);
+    const auto part = [&](std::size_t row, std::size_t column) {
+      return block.block<2, 2>(static_cast<Eigen::Index>(2 * row), static_cast<Eigen::Index>(2 * column));
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = e.variable[k];
+      if (v == no_index) continue;
+      matrix_.diagonal[v] += part(k, k);
+      gradient_[2 * v] += slope[static_cast<Eigen::Index>(2 * k)];
+      gradient_[2 * v + 1] += slope[static_cast<Eigen::Index>(2 * k + 1)];
+      if (e.place[k] != no_index)
+        matrix_.lower[e.place[k]] += v > e.variable[next[k]] ? part(k, next[k]) : part(next[k], k);
+    }
+    return e.weight * distortion(j);
+  }
+
+  // Rows and columns of what stays get nothing but their diagonal.
+  void hold() {
+    for (Index v = 0; v < matrix_.rows(); ++v) {
+      for (Index i = matrix_.row_begin[v]; i < matrix_.row_begin[v + 1]; ++i) {
+        const Index w = matrix_.column[i];
+        for (int k = 0; k < 2; ++k) {
+          if (is_held(v, k)) matrix_.lower[i].row(k).setZero();
+          if (is_held(w, k)) matrix_.lower[i].col(k).setZero();
+        }
+      }
+      for (int k = 0; k < 2; ++k) {
+        if (!is_held(v, k)) continue;
+        matrix_.diagonal[v].row(k).setZero();
+        matrix_.diagonal[v].col(k).setZero();
+        matrix_.diagonal[v](k, k) = 1;
+        gradient_[2 * v + static_cast<Index>(k)] = 0;
+      }
+    }
   }
 
   // Nine tenths of the way to where the first triangle becomes flat, but at most 1.
@@ -195,10 +222,9 @@ class System {
   Array<std::uint8_t> held_;
   Array<Tie> ties_;
   const base::Host& host_;
-  linear::SparseSystem system_;
-  Array<std::array<std::uint32_t, 36>> places_;
-  Array<std::uint32_t> diagonal_;
-  Eigen::VectorXd gradient_;
+  linear::BlockMatrix<2> matrix_;
+  linear::BlockSolver<2> solver_;
+  Array<double> gradient_, change_;
   Array<Vector2d> direction_, trial_;
 };
 

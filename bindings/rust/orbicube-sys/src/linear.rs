@@ -64,7 +64,7 @@ pub struct obc_linear_iterative_options {
     pub struct_size: u32,
     /// Preconditioner, OBC\_LINEAR\_ITERATIVE\_AUTO to OBC\_LINEAR\_MULTIGRID. Default: OBC\_LINEAR\_ITERATIVE\_AUTO.
     pub method: i32,
-    /// Number of consecutive unknowns that form a block, as x, y, z of a point: 1 or 3. Default: 1.
+    /// Number of consecutive unknowns that form a block, as x, y, z of a point: 1, 2 or 3. Default: 1.
     pub block_size: i32,
     /// Maximum number of iterations of a solution. Default: 1000.
     pub max_iterations: u32,
