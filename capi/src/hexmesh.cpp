@@ -23,10 +23,12 @@ using namespace orbicube;
 using capi::copy;
 
 struct obc_hexmesh {
-  explicit obc_hexmesh(const obc_host* host) : adapter(host), made(adapter.host().memory) {}
+  explicit obc_hexmesh(const obc_host* host)
+      : adapter(host), made(adapter.host().memory), regions(adapter.host().memory) {}
 
   capi::HostAdapter adapter;
   hexmesh::HexMesh made;
+  base::Array<std::int32_t> regions;
   std::vector<hexmesh::MissingFeature> missing;
 };
 
@@ -170,6 +172,11 @@ obc_hexmesh_report report_of(const hexmesh::Hexahedra& made) {
     r.scaled_jacobian_bound = made.features->bound;
     r.embedded = made.features->replaced ? 1 : 0;
   }
+  if (made.regions) {
+    r.conforming = made.regions->conforming ? 1 : 0;
+    r.region_quads = made.regions->interface_quads;
+    r.region_hausdorff_percent = made.regions->distance;
+  }
   if (!made.along_frames) return r;
   r.integers_optimal = made.along_frames->integers_optimal ? 1 : 0;
   r.singular_edges = made.along_frames->singular_edges;
@@ -205,7 +212,11 @@ void compute(const Input& input, const double* frames, const obc_hexmesh_options
   hexmesh::Options chosen = options_of(o, host);
   auto made = std::make_unique<obc_hexmesh>(host);
   const base::Host& h = made->adapter.host();
-  const mesh::Mesh given = input(h);
+  mesh::Mesh given = input(h);
+  capi::require(o.regions != nullptr || o.region_count == 0, "options->regions is NULL");
+  capi::require(o.region_count == 0 || o.region_count == given.tetrahedra.size(),
+                "options->region_count must be the number of tetrahedra");
+  given.regions.tetrahedra.assign(o.regions, o.regions + o.region_count);
   const base::Array<quaternion::Quaternion> directions = frames_of(frames, given.tetrahedra.size(), h);
   chosen.frames = directions;
   volume_map::InputFindings findings;
@@ -213,6 +224,7 @@ void compute(const Input& input, const double* frames, const obc_hexmesh_options
   hexmesh::Hexahedra result = hexmesh::make_hexahedra(given, chosen, findings, h);
   capi::write_versioned(report, report_of(result));
   made->made = std::move(result.result.mesh);
+  if (result.regions) made->regions = std::move(result.regions->of_hexahedra);
   if (result.features) made->missing = std::move(result.features->missing);
   *out = made.release();
 }
@@ -277,6 +289,15 @@ obc_status obc_hexmesh_copy(const obc_hexmesh* hexes, double* positions, uint32_
     copy(hexes->made.hexahedra, hexahedra);
     copy(hexes->made.quads, quads);
     copy(hexes->made.quad_patches, quad_patches);
+  });
+}
+
+obc_status obc_hexmesh_copy_regions(const obc_hexmesh* hexes, int32_t* regions, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(hexes != nullptr, "hexes is NULL");
+    capi::require(regions != nullptr, "regions is NULL");
+    std::fill_n(regions, hexes->made.hexahedra.size(), 0);
+    copy(hexes->regions, regions);
   });
 }
 

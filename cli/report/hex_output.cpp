@@ -32,6 +32,13 @@ Json json_of(const hexmesh::HexPiece& piece, const Json& method) {
                                         : method}};
 }
 
+Json json_of(std::span<const hexmesh::HexPiece> pieces, const Json& method) {
+  Json all = Json::array();
+  for (const hexmesh::HexPiece& piece : pieces)
+    all.push_back(json_of(piece, method));
+  return all;
+}
+
 // How they were made.
 Json figures_of(const hexmesh::Hexahedra& made) {
   if (!made.along_frames) {
@@ -95,6 +102,11 @@ std::string features_text(const hexmesh::FeatureFigures& features) {
          (features.replaced ? "; they bound scaled Jacobians by " + number(features.bound) : "");
 }
 
+std::string regions_text(const hexmesh::RegionFigures& regions) {
+  return base::counted(regions.interface_quads, "quadrilateral") + " between regions, at most " +
+         number(regions.distance) + " % of the diagonal from where these meet";
+}
+
 // Null where the unit of the input takes it out of the range of double.
 Json in_range(double volume) {
   return std::isfinite(volume) && volume != 0 ? Json(volume) : Json();
@@ -117,7 +129,8 @@ std::string worst_piece_text(const hexmesh::HexResult& result) {
 }
 
 // Gives the hexahedra their regions and returns those of the quads.
-base::Array<std::int32_t> take_regions(const mesh::Mesh& input, std::span<const mesh::Quad> quads, mesh::Mesh& cells,
+base::Array<std::int32_t> take_regions(const mesh::Mesh& input, std::span<const mesh::Quad> quads,
+                                       const std::optional<hexmesh::RegionFigures>& regions, mesh::Mesh& cells,
                                        const base::Host& host) {
   base::Array<std::int32_t> of_quads(host.memory);
   if (input.regions.empty()) return of_quads;
@@ -136,16 +149,23 @@ base::Array<std::int32_t> take_regions(const mesh::Mesh& input, std::span<const 
       center += positions[v] / 8;
     centers.push_back(center);
   }
-  cells.regions.hexahedra = mesh::nearest_cell_regions(from, centers, host);
+  if (regions)
+    cells.regions.hexahedra = regions->of_hexahedra;
+  else
+    cells.regions.hexahedra = mesh::nearest_cell_regions(from, centers, host);
   return mesh::nearest_face_regions(from, faces, host);
 }
 
 void report_regions(std::span<const std::int32_t> of_quads, std::span<const std::int32_t> of_hexahedra,
-                    Session& session) {
+                    const std::optional<hexmesh::RegionFigures>& regions, Session& session) {
   const auto count = [&](std::span<const std::int32_t> regions) {
     return mesh::distinct_regions(regions, session.host().memory).size();
   };
   session.figures()["regions"] = {{"quadrilaterals", count(of_quads)}, {"hexahedra", count(of_hexahedra)}};
+  if (!regions) return;
+  session.figures()["regions"].update(Json{{"conforming", regions->conforming},
+                                           {"quadrilaterals_between", regions->interface_quads},
+                                           {"hausdorff_percent", regions->distance}});
 }
 
 // Why a mesh is no result; empty if it is one.
@@ -192,9 +212,7 @@ void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::
                                 {"intersecting_quads", quality.intersections},
                                 {"hausdorff_percent", result.distance},
                                 {"volume_error_percent", result.volume_error}});
-  Json& pieces = session.figures()["by_piece"] = Json::array();
-  for (const hexmesh::HexPiece& piece : result.pieces)
-    pieces.push_back(json_of(piece, session.figures()["method"]));
+  session.figures()["by_piece"] = json_of(result.pieces, session.figures()["method"]);
   const std::string why = shortfall(output, made, asked);
   if (!why.empty() && !output.keep_partial)
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; --keep-partial writes the mesh");
@@ -208,9 +226,9 @@ void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::
   mesh::Mesh cells(host.memory);
   cells.positions = std::move(result.mesh.positions);
   cells.hexahedra = std::move(result.mesh.hexahedra);
-  const base::Array<std::int32_t> of_quads = take_regions(input, result.mesh.quads, cells, host);
+  const base::Array<std::int32_t> of_quads = take_regions(input, result.mesh.quads, made.regions, cells, host);
   const std::span<const mesh::Quad> quads = of_quads.empty() ? std::span<const mesh::Quad>() : result.mesh.quads;
-  report_regions(of_quads, cells.regions.hexahedra, session);
+  report_regions(of_quads, cells.regions.hexahedra, made.regions, session);
   write_cells_exactly(output.path, cells, {.binary = !output.text, .quads = quads, .quad_regions = of_quads}, session);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
@@ -220,6 +238,7 @@ void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::
               number(quality.mean_scaled_jacobian) + " on average; " + besides(made));
   session.say("  " + figures_text(result));
   if (made.features) session.say("  " + features_text(*made.features));
+  if (made.regions && made.regions->interface_quads > 0) session.say("  " + regions_text(*made.regions));
   if (result.pieces.size() > 1) session.say("  " + worst_piece_text(result));
   if (!why.empty()) {
     session.keep();

@@ -50,6 +50,7 @@ mesh::Mesh copy_of(const mesh::Mesh& from, const base::Host& host) {
   copy.triangles.assign(from.triangles.begin(), from.triangles.end());
   copy.tetrahedra.assign(from.tetrahedra.begin(), from.tetrahedra.end());
   copy.hexahedra.assign(from.hexahedra.begin(), from.hexahedra.end());
+  copy.regions.tetrahedra.assign(from.regions.tetrahedra.begin(), from.regions.tetrahedra.end());
   return copy;
 }
 
@@ -382,16 +383,17 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
                          const base::Host& host) {
   require_valid(options, input.positions.size());
   mesh::Mesh near_unit = copy_of(input, host);
-  const int exponent = mesh::bring_to_unit_size(near_unit);
   Options decided = options;
-  const Work work{near_unit, decided, findings, host, exponent};
-  Hexahedra made = mesh::with_places_of_caller(exponent, [&] {
+  const Work work{near_unit, decided, findings, host, mesh::bring_to_unit_size(near_unit)};
+  Hexahedra made = mesh::with_places_of_caller(work.exponent, [&] {
     if (options.features == Features::machined) decided.features = features_of_machined(work);
-    return decided.features == Features::off ? by_strategy(work) : WithFeatures(work).made();
+    Hexahedra result = decided.features == Features::off ? by_strategy(work) : WithFeatures(work).made();
+    if (!near_unit.regions.tetrahedra.empty()) result.regions = conform_to_regions(result.result, near_unit, host);
+    return result;
   });
   made.feature_angle = feature_angle_of(decided);
-  scale_back(made.result, exponent);
-  if (made.features) scale_back(*made.features, exponent);
+  scale_back(made.result, work.exponent);
+  if (made.features) scale_back(*made.features, work.exponent);
   return made;
 }
 

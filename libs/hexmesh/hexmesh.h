@@ -6,6 +6,7 @@
 #include <span>
 
 #include "hexmesh/captured/feature_figures.h"
+#include "hexmesh/regions/conforming_regions.h"
 #include "hexmesh/strategies/frame_hexes.h"
 #include "hexmesh/strategies/hex_meshing.h"
 #include "quaternion/quaternion.h"
@@ -72,6 +73,7 @@ struct Hexahedra {
   std::size_t polycube_corners = 0;          // of all pieces; 0: there is no polycube
   std::optional<FrameFigures> along_frames;  // where they are
   std::optional<FeatureFigures> features;    // unless they are off
+  std::optional<RegionFigures> regions;      // of a solid with regions
   double feature_angle = 0;                  // the one of feature_angle_of()
   double compute_seconds = 0;                // without preparations
 };

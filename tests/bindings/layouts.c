@@ -190,7 +190,7 @@ _Static_assert(offsetof(obc_harmonics_alignment, reserved) == 4, "obc_harmonics_
 _Static_assert(offsetof(obc_harmonics_alignment, rotation) == 8, "obc_harmonics_alignment.rotation");
 _Static_assert(offsetof(obc_harmonics_alignment, values) == 80, "obc_harmonics_alignment.values");
 _Static_assert(offsetof(obc_harmonics_alignment, correlation) == 152, "obc_harmonics_alignment.correlation");
-_Static_assert(sizeof(obc_hexmesh_options) == 128, "obc_hexmesh_options");
+_Static_assert(sizeof(obc_hexmesh_options) == 144, "obc_hexmesh_options");
 _Static_assert(offsetof(obc_hexmesh_options, struct_size) == 0, "obc_hexmesh_options.struct_size");
 _Static_assert(offsetof(obc_hexmesh_options, padding) == 4, "obc_hexmesh_options.padding");
 _Static_assert(offsetof(obc_hexmesh_options, cells) == 8, "obc_hexmesh_options.cells");
@@ -209,7 +209,9 @@ _Static_assert(offsetof(obc_hexmesh_options, tagged_vertices) == 96, "obc_hexmes
 _Static_assert(offsetof(obc_hexmesh_options, tagged_vertex_count) == 104, "obc_hexmesh_options.tagged_vertex_count");
 _Static_assert(offsetof(obc_hexmesh_options, fill) == 112, "obc_hexmesh_options.fill");
 _Static_assert(offsetof(obc_hexmesh_options, fill_user) == 120, "obc_hexmesh_options.fill_user");
-_Static_assert(sizeof(obc_hexmesh_report) == 184, "obc_hexmesh_report");
+_Static_assert(offsetof(obc_hexmesh_options, regions) == 128, "obc_hexmesh_options.regions");
+_Static_assert(offsetof(obc_hexmesh_options, region_count) == 136, "obc_hexmesh_options.region_count");
+_Static_assert(sizeof(obc_hexmesh_report) == 200, "obc_hexmesh_report");
 _Static_assert(offsetof(obc_hexmesh_report, struct_size) == 0, "obc_hexmesh_report.struct_size");
 _Static_assert(offsetof(obc_hexmesh_report, padded) == 4, "obc_hexmesh_report.padded");
 _Static_assert(offsetof(obc_hexmesh_report, min_scaled_jacobian) == 8, "obc_hexmesh_report.min_scaled_jacobian");
@@ -236,6 +238,9 @@ _Static_assert(offsetof(obc_hexmesh_report, missing_features) == 152, "obc_hexme
 _Static_assert(offsetof(obc_hexmesh_report, captured) == 160, "obc_hexmesh_report.captured");
 _Static_assert(offsetof(obc_hexmesh_report, scaled_jacobian_bound) == 168, "obc_hexmesh_report.scaled_jacobian_bound");
 _Static_assert(offsetof(obc_hexmesh_report, embedded) == 176, "obc_hexmesh_report.embedded");
+_Static_assert(offsetof(obc_hexmesh_report, conforming) == 180, "obc_hexmesh_report.conforming");
+_Static_assert(offsetof(obc_hexmesh_report, region_quads) == 184, "obc_hexmesh_report.region_quads");
+_Static_assert(offsetof(obc_hexmesh_report, region_hausdorff_percent) == 192, "obc_hexmesh_report.region_hausdorff_percent");
 _Static_assert(sizeof(obc_hexmesh_missing) == 64, "obc_hexmesh_missing");
 _Static_assert(offsetof(obc_hexmesh_missing, struct_size) == 0, "obc_hexmesh_missing.struct_size");
 _Static_assert(offsetof(obc_hexmesh_missing, corner) == 4, "obc_hexmesh_missing.corner");
@@ -931,7 +936,7 @@ _Static_assert(offsetof(obc_harmonics_alignment, reserved) == 4, "obc_harmonics_
 _Static_assert(offsetof(obc_harmonics_alignment, rotation) == 8, "obc_harmonics_alignment.rotation");
 _Static_assert(offsetof(obc_harmonics_alignment, values) == 80, "obc_harmonics_alignment.values");
 _Static_assert(offsetof(obc_harmonics_alignment, correlation) == 152, "obc_harmonics_alignment.correlation");
-_Static_assert(sizeof(obc_hexmesh_options) == 96, "obc_hexmesh_options");
+_Static_assert(sizeof(obc_hexmesh_options) == 104, "obc_hexmesh_options");
 _Static_assert(offsetof(obc_hexmesh_options, struct_size) == 0, "obc_hexmesh_options.struct_size");
 _Static_assert(offsetof(obc_hexmesh_options, padding) == 4, "obc_hexmesh_options.padding");
 _Static_assert(offsetof(obc_hexmesh_options, cells) == 8, "obc_hexmesh_options.cells");
@@ -950,7 +955,9 @@ _Static_assert(offsetof(obc_hexmesh_options, tagged_vertices) == 76, "obc_hexmes
 _Static_assert(offsetof(obc_hexmesh_options, tagged_vertex_count) == 80, "obc_hexmesh_options.tagged_vertex_count");
 _Static_assert(offsetof(obc_hexmesh_options, fill) == 84, "obc_hexmesh_options.fill");
 _Static_assert(offsetof(obc_hexmesh_options, fill_user) == 88, "obc_hexmesh_options.fill_user");
-_Static_assert(sizeof(obc_hexmesh_report) == 136, "obc_hexmesh_report");
+_Static_assert(offsetof(obc_hexmesh_options, regions) == 92, "obc_hexmesh_options.regions");
+_Static_assert(offsetof(obc_hexmesh_options, region_count) == 96, "obc_hexmesh_options.region_count");
+_Static_assert(sizeof(obc_hexmesh_report) == 152, "obc_hexmesh_report");
 _Static_assert(offsetof(obc_hexmesh_report, struct_size) == 0, "obc_hexmesh_report.struct_size");
 _Static_assert(offsetof(obc_hexmesh_report, padded) == 4, "obc_hexmesh_report.padded");
 _Static_assert(offsetof(obc_hexmesh_report, min_scaled_jacobian) == 8, "obc_hexmesh_report.min_scaled_jacobian");
@@ -977,6 +984,9 @@ _Static_assert(offsetof(obc_hexmesh_report, missing_features) == 108, "obc_hexme
 _Static_assert(offsetof(obc_hexmesh_report, captured) == 112, "obc_hexmesh_report.captured");
 _Static_assert(offsetof(obc_hexmesh_report, scaled_jacobian_bound) == 120, "obc_hexmesh_report.scaled_jacobian_bound");
 _Static_assert(offsetof(obc_hexmesh_report, embedded) == 128, "obc_hexmesh_report.embedded");
+_Static_assert(offsetof(obc_hexmesh_report, conforming) == 132, "obc_hexmesh_report.conforming");
+_Static_assert(offsetof(obc_hexmesh_report, region_quads) == 136, "obc_hexmesh_report.region_quads");
+_Static_assert(offsetof(obc_hexmesh_report, region_hausdorff_percent) == 144, "obc_hexmesh_report.region_hausdorff_percent");
 _Static_assert(sizeof(obc_hexmesh_missing) == 64, "obc_hexmesh_missing");
 _Static_assert(offsetof(obc_hexmesh_missing, struct_size) == 0, "obc_hexmesh_missing.struct_size");
 _Static_assert(offsetof(obc_hexmesh_missing, corner) == 4, "obc_hexmesh_missing.corner");

@@ -428,6 +428,8 @@ export interface RawFunctions {
    * counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
    * each may be NULL. Errors: invalid argument. */
   obc_hexmesh_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer): number;
+  /** Copies the number of the region of each hexahedron, 0 where the solid had none. Errors: invalid argument. */
+  obc_hexmesh_copy_regions(hexes: Pointer, regions: Pointer, error: Pointer): number;
   /** Returns the number of missing features; 0 for NULL. */
   obc_hexmesh_missing_count(hexes: Pointer): number;
   /** Copies missing feature `index`, from 0. Errors: invalid argument. */

@@ -381,7 +381,7 @@ export const layouts = {
     },
   },
   obc_hexmesh_options: {
-    size: 96,
+    size: 104,
     fields: {
       struct_size: ['u32', 0],
       padding: ['i32', 4],
@@ -401,10 +401,12 @@ export const layouts = {
       tagged_vertex_count: ['u32', 80],
       fill: ['u32', 84],
       fill_user: ['u32', 88],
+      regions: ['u32', 92],
+      region_count: ['u32', 96],
     },
   },
   obc_hexmesh_report: {
-    size: 136,
+    size: 152,
     fields: {
       struct_size: ['u32', 0],
       padded: ['i32', 4],
@@ -432,6 +434,9 @@ export const layouts = {
       captured: ['f64', 112],
       scaled_jacobian_bound: ['f64', 120],
       embedded: ['i32', 128],
+      conforming: ['i32', 132],
+      region_quads: ['u32', 136],
+      region_hausdorff_percent: ['f64', 144],
     },
   },
   obc_hexmesh_missing: {
@@ -1082,6 +1087,7 @@ export const functions = {
   obc_hexmesh_count: 'ii',
   obc_hexmesh_quad_count: 'ii',
   obc_hexmesh_copy: 'iiiiiii',
+  obc_hexmesh_copy_regions: 'iiii',
   obc_hexmesh_missing_count: 'ii',
   obc_hexmesh_get_missing: 'iiiii',
   obc_hexmesh_missing_reason: 'iii',

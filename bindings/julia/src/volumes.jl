@@ -223,8 +223,8 @@ end
 
 """
 A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
-(4 by k, counter-clockwise seen from outside), `quad_patches`, the patch that each lies on (of the polycube, or of the features where they are embedded), the
-features that are `missing` (corner or curve, its ends `first` and `last`, the `captured` fraction of its length, and `why`), and the `report`.
+(4 by k, counter-clockwise seen from outside), `quad_patches`, the patch that each lies on (of the polycube, or of the features where they are embedded),
+`regions`, the number of the region that each hexahedron is in, or 0, the features that are `missing` (corner or curve, its ends `first` and `last`, the `captured` fraction of its length, and `why`), and the `report`.
 All count from 1.
 """
 struct Hexes
@@ -232,6 +232,7 @@ struct Hexes
     hexahedra::Matrix{Int}
     quads::Matrix{Int}
     quad_patches::Vector{Int}
+    regions::Vector{Int}
     missing::Vector{NamedTuple}
     report::Any
 end
@@ -267,7 +268,9 @@ function hexes(f, report)
         cells = Matrix{UInt32}(undef, 8, Raw.obc_hexmesh_count(out[]))
         quads, faces = Matrix{UInt32}(undef, 4, k), Vector{UInt32}(undef, k)
         checked(error -> Raw.obc_hexmesh_copy(out[], places, cells, quads, faces, error))
-        Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, missing_features(out[]), report)
+        numbers = Vector{Int32}(undef, size(cells, 2))
+        checked(error -> Raw.obc_hexmesh_copy_regions(out[], numbers, error))
+        Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, Int.(numbers), missing_features(out[]), report)
     finally
         Raw.obc_hexmesh_destroy(out[])
     end
@@ -296,16 +299,21 @@ end
     fill_with_hexahedra(positions, tetrahedra, frames=nothing; options...)
 
 Fills a solid of tetrahedra: a `Hexes`. The hexahedra follow the frames (quaternions w x y z, 4 by m, as of `frame_field`), if there are any;
-with the method `:frames` and without frames a smooth field is made, and repaired. Options as for a surface.
+with the method `:frames` and without frames a smooth field is made, and repaired. Options as for a surface, and `regions`, a number for each
+tetrahedron: faces of hexahedra follow where they meet.
 """
 function fill_with_hexahedra(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}, frames=nothing; threads=0, progress=nothing,
-                             tagged_edges=nothing, tagged_vertices=nothing, options...)
+                             tagged_edges=nothing, tagged_vertices=nothing, regions=nothing, options...)
     chosen = filled(Raw.obc_hexmesh_options, Raw.obc_hexmesh_options_init, values(options), "OBC_HEXMESH_")
     report = sized(Raw.obc_hexmesh_report)
     places, n, cells, m = solid_arrays(positions, tetrahedra)
+    numbers = regions === nothing ? Int32[] : Vector{Int32}(regions)
+    regions === nothing || expect(length(numbers), m, "regions")
+    chosen.region_count = length(numbers)
     frames === nothing || expect(columns(frames, 4, "frames"), m, "columns of frames")
     field = frames === nothing ? C_NULL : doubles(frames)
-    hexes(report) do out
+    GC.@preserve numbers hexes(report) do out
+        chosen.regions = pointer(numbers)
         with_tags(chosen, tagged_edges, tagged_vertices) do
             hosted(threads=threads, progress=progress) do lent, error
                 Raw.obc_hexmesh_compute_solid(places, n, cells, m, field, chosen, lent, report, out, error)

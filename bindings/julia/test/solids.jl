@@ -64,6 +64,9 @@ end
     @test minimum(scaled_jacobians(fill_with_hexahedra(corners, cells, frames; cells=8))) > 0.99
     @test_throws DimensionMismatch fill_with_hexahedra(corners, cells, frames[:, 2:end])
     @test_throws OrbicubeError fill_with_hexahedra(corners, cells; cells=0)
+    numbered = fill_with_hexahedra(corners, cells; method=:frames, cells=8, regions=fill(3, size(cells, 2)))
+    @test all(==(3), numbered.regions) && all(==(0), mesh.regions)
+    @test_throws DimensionMismatch fill_with_hexahedra(corners, cells; regions=[1])
 
     shape = make_surface("cube", 300)
     mesh = fill_with_hexahedra(shape; cells=27, padding=:without)

@@ -11,7 +11,7 @@ from ctypes import byref
 from typing import Any, Literal, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Indices, address, doubles, indices
 from ._call import HOST, Handle, Progress, call, filled, sized, with_options
@@ -40,16 +40,18 @@ class MissingFeature(Record):
 class Hexes(Record):
     """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
     boundary, counter-clockwise seen from outside, quad_patches (the patch that each lies on: of the polycube, or of the features where they
-    are embedded), missing (a MissingFeature each), and the report."""
+    are embedded), regions (the number of the region that each hexahedron is in, or 0), missing (a MissingFeature each), and the report."""
 
     def __init__(self, handle: Handle, report: Any) -> None:
         self.positions: Doubles = np.empty((raw.obc_hexmesh_vertex_count(handle), 3))
         self.hexahedra: Indices = np.empty((raw.obc_hexmesh_count(handle), 8), dtype=np.uint32)
         self.quads: Indices = np.empty((raw.obc_hexmesh_quad_count(handle), 4), dtype=np.uint32)
         self.quad_patches: Indices = np.empty(len(self.quads), dtype=np.uint32)
+        self.regions: NDArray[np.int32] = np.zeros(len(self.hexahedra), dtype=np.int32)
         self.report = report
         call(raw.obc_hexmesh_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
              address(self.quad_patches))
+        call(raw.obc_hexmesh_copy_regions, handle, address(self.regions))
         self.missing = [MissingFeature(handle, i) for i in range(raw.obc_hexmesh_missing_count(handle))]
 
 
@@ -73,6 +75,15 @@ def _set_tags(chosen: raw.obc_hexmesh_options, edges: Optional[ArrayLike], verti
     return kept
 
 
+def _region_numbers(regions: ArrayLike, count: int) -> NDArray[np.int32]:
+    numbers = np.asarray(regions)
+    if numbers.shape != (count,) or not np.issubdtype(numbers.dtype, np.integer):
+        raise ValueError(f"regions: an integer for each of the {count} tetrahedra is needed")
+    if numbers.size and (numbers.min() < -2**31 or numbers.max() >= 2**31):
+        raise ValueError("regions: 32 bits do not hold a number")
+    return np.ascontiguousarray(numbers, dtype=np.int32)
+
+
 def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
     if fill is None:
         return
@@ -94,21 +105,27 @@ def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
                         max_cells: int = 100000, feature_angle: float = -1.0,
                         features: Literal["off", "auto", "tags", "angles", "machined"] = "machined",
                         # end of options
-                        tagged_edges: Optional[ArrayLike] = None, tagged_vertices: Optional[ArrayLike] = None, fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
+                        tagged_edges: Optional[ArrayLike] = None, tagged_vertices: Optional[ArrayLike] = None, fill: Any = None,
+                        regions: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a closed surface, or a solid of tetrahedra, with the bits of `orbicube hex`. frames: of a solid, w x y z a tetrahedron as of
     frame_field.compute, which the hexahedra follow. fill: None, or orbicube.tetrahedra.fill (TetGen, AGPL), by which surfaces go along
     frames too. features: which sharp edges and corners the mesh should have; tagged_edges (two vertices each) and tagged_vertices: those that
-    "auto" and "tags" consider. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, method, captured, ..."""
+    "auto" and "tags" consider. regions: a number for each tetrahedron of a solid; faces of hexahedra follow where they meet. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, method, captured, ..."""
     chosen = filled(raw.obc_hexmesh_options, raw.obc_hexmesh_options_init, locals())
     _set_fill(chosen, fill)
     report, handle = sized(raw.obc_hexmesh_report), Handle(raw.obc_hexmesh_destroy)
     if frames is not None or _is_solid(shape):
         positions, tetrahedra = solid_of(shape, "shape")
         kept = _set_tags(chosen, tagged_edges, tagged_vertices, len(positions))
+        numbers = None if regions is None else _region_numbers(regions, len(tetrahedra))
+        if numbers is not None:
+            chosen.regions, chosen.region_count = address(numbers), len(numbers)
         field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
         call(raw.obc_hexmesh_compute_solid, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
              address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)
     else:
+        if regions is not None:
+            raise ValueError("regions: those of tetrahedra, and the shape has none")
         given = Surface(shape, "shape")
         kept = _set_tags(chosen, tagged_edges, tagged_vertices, len(given.positions))
         call(raw.obc_hexmesh_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,

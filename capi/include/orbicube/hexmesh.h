@@ -121,6 +121,11 @@ typedef struct obc_hexmesh_options {
   obc_hexmesh_fill_function fill;
 
   void *fill_user; /* passed to fill as user. Default: NULL. */
+
+  /* Numbers of the regions of the tetrahedra of obc_hexmesh_compute_solid, one each, as of materials. Faces of the mesh are moved onto the
+   * faces between regions, and each hexahedron gets the number of its region. NULL: no regions. Default: NULL. */
+  const int32_t *regions;
+  size_t region_count; /* number of entries of regions: that of the tetrahedra, or 0. Default: 0. */
 } obc_hexmesh_options;
 
 /* Fills options with the defaults. */
@@ -160,6 +165,11 @@ typedef struct obc_hexmesh_report {
                                    turned by at most 25 degrees; 1 without curves */
   double scaled_jacobian_bound; /* largest minimum scaled Jacobian that hexahedra at the features can have, two in each sector between curves */
   int32_t embedded;             /* 1: the cells of a grid with the features embedded; 0: the mesh of the method */
+
+  int32_t conforming;              /* 1: faces of hexahedra are where regions of the solid meet; 0: they are not, or there are no regions */
+  size_t region_quads;             /* number of faces between hexahedra of different regions, where conforming is 1 */
+  double region_hausdorff_percent; /* Hausdorff distance of these and the faces between regions of the solid, by their vertices and
+                                      centers, in percent of the bounding-box diagonal */
 } obc_hexmesh_report;
 
 /* A feature that the mesh lacks: a corner, or a curve with less than 95 % of its length captured. The caller sets struct_size. */
@@ -207,6 +217,9 @@ OBC_API size_t obc_hexmesh_quad_count(const obc_hexmesh *hexes);
  * each may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_hexmesh_copy(const obc_hexmesh *hexes, double *positions, uint32_t *hexahedra, uint32_t *quads,
                                     uint32_t *quad_patches, obc_error *error);
+
+/* Copies the number of the region of each hexahedron, 0 where the solid had none. Errors: invalid argument. */
+OBC_API obc_status obc_hexmesh_copy_regions(const obc_hexmesh *hexes, int32_t *regions, obc_error *error);
 
 /* Returns the number of missing features; 0 for NULL. */
 OBC_API size_t obc_hexmesh_missing_count(const obc_hexmesh *hexes);

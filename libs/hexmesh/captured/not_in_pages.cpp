@@ -1,6 +1,8 @@
-// In place of feature_choice.cpp in the module for web pages, where nothing requests sharp edges.
+// In place of feature_choice.cpp and conforming_regions.cpp in the module for web pages, where nothing requests sharp
+// edges or regions.
 #include "base/error.h"
 #include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/regions/conforming_regions.h"
 
 namespace orbicube::hexmesh {
 
@@ -27,6 +29,10 @@ bool FeatureKeeper::nearly_complete() const {
 
 FeatureFigures FeatureKeeper::figures() const {
   return figures_;
+}
+
+RegionFigures conform_to_regions(HexResult&, const mesh::Mesh&, const base::Host& host) {
+  return RegionFigures{Array<std::int32_t>(host.memory)};
 }
 
 }  // namespace orbicube::hexmesh

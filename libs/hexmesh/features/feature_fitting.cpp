@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/threads/pieces.h"
 #include "hexmesh/certificate/hex_tetrahedra.h"
@@ -20,28 +21,11 @@ constexpr double last_progress = 1.25;                     // the growth at the 
 constexpr double full_progress = 0.625;                    // of the rounds, at which the growth is reached
 constexpr double slide_from = 0.36;                        // of the rounds: vertices of arcs slide from then on
 constexpr double own_shapes_from = 0.2;                    // of the rounds: boxes have the lengths of hexahedra
-constexpr double shortest = 0.15, longest = 3;             // of them, over the given ones
-constexpr double target_jacobian = 0.5;                    // below which the weight of a corner rises
 
-// The corner tetrahedra of all hexahedra, each that of a box.
-Array<Element> corner_elements(const HexMesh& mesh, const BoxSizes& sizes, const base::Host& host) {
-  Array<Element> elements(8 * mesh.hexahedra.size(), host.memory);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const HexTetrahedron& corner = hex_tetrahedra[i % 8];
-    elements[i] = corner.element(mesh.hexahedra[i / 8]);
-    corner.set_shape(sizes[i / 8], elements[i]);
-  }
-  return elements;
-}
-
-// Weighs corners by how far they are from good.
-void set_weights(const HexMesh& mesh, double most, Array<Element>& corners) {
-  constexpr double least = 0.02;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double s = hex_tetrahedra[i % 8].scaled_jacobian(mesh.positions, corners[i]);
-    const double part = target_jacobian / std::max(s, least);
-    corners[i].weight = std::clamp(part * part, 1.0, most);
-  }
+Array<Index> all_hexahedra(const HexMesh& mesh, const base::Host& host) {
+  Array<Index> all(mesh.hexahedra.size(), host.memory);
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
 }
 
 class Fit {
@@ -53,7 +37,7 @@ class Fit {
         targets_(targets),
         options_(options),
         host_(host),
-        elements_(corner_elements(mesh, sizes, host)),
+        elements_(corner_elements(mesh, all_hexahedra(mesh, host), sizes, host)),
         variables_(mesh.positions, {}, {}, host.memory),
         pulls_(mesh.positions.size(), Pull(), host.memory),
         energy_(elements_, variables_, volume_weight, host),
@@ -90,7 +74,7 @@ class Fit {
     if (slide) targets_.slide(mesh_.positions);
     if (slide && !lines_placed_) place_lines();
     if (progress > own_shapes_from) set_own_shapes();
-    set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
+    weigh_corners(mesh_.positions, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
     set_pulls(weight, slide);
     untangle::EnergyValue now = energy_.value(newton_.values(), 0);
     for (int k = 0; k < 2; ++k) {
@@ -144,17 +128,6 @@ class Fit {
 
 }  // namespace
 
-std::array<double, 3> own_lengths(const HexMesh& mesh, Index hexahedron, const std::array<double, 3>& given) {
-  const Hexahedron& h = mesh.hexahedra[hexahedron];
-  std::array<double, 3> length{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    for (const auto& e : edges_along[d])
-      length[d] += 0.25 * (mesh.positions[h[e[1]]] - mesh.positions[h[e[0]]]).norm();
-    length[d] = std::clamp(length[d], shortest * given[d], longest * given[d]);
-  }
-  return length;
-}
-
 bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
                      const base::Host& host) {
   return Fit(mesh, sizes, targets, options, host).run();
@@ -166,13 +139,13 @@ void smooth_inside(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& t
   Array<std::uint8_t> fixed(3 * mesh.positions.size(), 0, host.memory);
   for (const Index v : targets.vertices())
     std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v}), 3, std::uint8_t{1});
-  Array<Element> elements = corner_elements(mesh, sizes, host);
+  Array<Element> elements = corner_elements(mesh, all_hexahedra(mesh, host), sizes, host);
   const untangle::Variables variables(mesh.positions, fixed, {}, host.memory);
   untangle::FoldoverEnergy energy(elements, variables, volume_weight, host);
   untangle::Newton newton(energy, variables.start(), host);
   for (int i = 0; i < steps; ++i) {
     host.report("smooth", static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(steps));
-    set_weights(mesh, most, elements);
+    weigh_corners(mesh.positions, most, elements);
     untangle::EnergyValue now = energy.value(newton.values(), 0);
     if (now.inverted > 0) return;
     if (newton.step(0, {.products = 60, .tolerance = 3e-2}, now) == 0) return;

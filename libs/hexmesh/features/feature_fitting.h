@@ -2,19 +2,13 @@
 #pragma once
 
 #include "hexmesh/features/feature_targets.h"
+#include "hexmesh/quality/corner_elements.h"
 
 namespace orbicube::hexmesh {
 
 struct FeatureFitOptions {
   int rounds = 40;  // of raising weights
 };
-
-// The lengths that each hexahedron should have along its three directions.
-using BoxSizes = Array<std::array<double, 3>>;
-
-// The mean lengths that a hexahedron has along its directions, not too far from the given ones. A box of these is a
-// target shape that leaves lengths as they are: the scaled Jacobian does not depend on them.
-std::array<double, 3> own_lengths(const HexMesh& mesh, Index hexahedron, const std::array<double, 3>& given);
 
 // Untangles the mesh with a loose boundary, then raises the weights of the targets with positive determinants as a
 // barrier. Returns whether no corner is inverted.

@@ -10,9 +10,10 @@ namespace {
 
 class Pillow {
  public:
-  Pillow(HexMesh& mesh, Array<Index>& labels, const base::Host& host)
+  Pillow(HexMesh& mesh, Array<Index>& labels, const IsCovered& is_covered, const base::Host& host)
       : mesh_(mesh),
         labels_(labels),
+        is_covered_(is_covered),
         host_(host),
         chosen_(host.memory),
         place_(mesh.hexahedra.size(), no_index, host.memory),
@@ -33,10 +34,12 @@ class Pillow {
     Array<Hexahedron> sheet(host_.memory);
     Array<Index> sheet_labels(host_.memory);
     for (const HexFace& face : faces) {
-      if (face.second == no_index || label(face.first) == label(face.second)) continue;
+      const bool outer = face.second == no_index;
+      if (outer ? !is_covered_ || !is_covered_(face.first, face.quad) : label(face.first) == label(face.second))
+        continue;
       for (const bool turned : {false, true}) {
         const Index own = turned ? face.second : face.first;
-        if (label(own) == 0) continue;
+        if (own == no_index || label(own) == 0) continue;
         Quad quad = face.quad;
         if (turned) std::swap(quad[1], quad[3]);
         Hexahedron h{};
@@ -112,6 +115,7 @@ class Pillow {
 
   HexMesh& mesh_;
   Array<Index>& labels_;
+  const IsCovered& is_covered_;
   const base::Host& host_;
   Array<Index> chosen_, place_;
   Array<Index> copy_;  // of each fan
@@ -121,13 +125,17 @@ class Pillow {
 }  // namespace
 
 void pillow(HexMesh& mesh, Array<Index>& labels, const base::Host& host) {
-  Pillow(mesh, labels, host).run();
+  Pillow(mesh, labels, {}, host).run();
+}
+
+void pillow(HexMesh& mesh, Array<Index>& labels, const IsCovered& is_covered, const base::Host& host) {
+  Pillow(mesh, labels, is_covered, host).run();
 }
 
 void pillow_one(HexMesh& mesh, Index hexahedron, const base::Host& host) {
   Array<Index> labels(mesh.hexahedra.size(), 0, host.memory);
   labels[hexahedron] = 1;
-  Pillow(mesh, labels, host).run();
+  Pillow(mesh, labels, {}, host).run();
 }
 
 }  // namespace orbicube::hexmesh

@@ -18,10 +18,12 @@ constexpr double volume_weight = 0.2;                // of the energy, as where 
 
 class Unfolding {
  public:
-  Unfolding(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, const base::Host& host)
+  Unfolding(HexMesh& mesh, const BoxSizes& sizes, std::span<const Index> vertices, const PullVertex& pull,
+            const base::Host& host)
       : mesh_(mesh),
         sizes_(sizes),
-        targets_(targets),
+        vertices_(vertices),
+        pull_(pull),
         host_(host),
         around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)),
         elements_(host.memory),
@@ -111,17 +113,18 @@ class Unfolding {
   }
 
   void set_pulls(const Array<std::uint8_t>& fixed, double weight) {
-    for (const Index v : targets_.vertices()) {
+    for (const Index v : vertices_) {
       pulls_[v] = Pull();
       if (fixed[3 * std::size_t{v}] != 0) continue;
       pulls_[v].at = mesh_.positions[v];
-      targets_.pull(v, mesh_.positions[v], weight, true, pulls_[v]);
+      pull_(v, mesh_.positions[v], weight, pulls_[v]);
     }
   }
 
   HexMesh& mesh_;
   const BoxSizes& sizes_;
-  const FeatureTargets& targets_;
+  std::span<const Index> vertices_;
+  const PullVertex& pull_;
   const base::Host& host_;
   const base::Groups<Index, Index> around_;
   Array<Element> elements_;
@@ -130,8 +133,16 @@ class Unfolding {
 
 }  // namespace
 
+bool unfold_hexahedra(HexMesh& mesh, const BoxSizes& sizes, std::span<const Index> vertices, const PullVertex& pull,
+                      const base::Host& host) {
+  return Unfolding(mesh, sizes, vertices, pull, host).run();
+}
+
 bool unfold_hexahedra(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, const base::Host& host) {
-  return Unfolding(mesh, sizes, targets, host).run();
+  const PullVertex pull = [&](Index v, const Vector3& p, double weight, Pull& to) {
+    targets.pull(v, p, weight, true, to);
+  };
+  return unfold_hexahedra(mesh, sizes, targets.vertices(), pull, host);
 }
 
 }  // namespace orbicube::hexmesh

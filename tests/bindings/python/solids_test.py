@@ -206,6 +206,29 @@ class Solids(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"tagged_edges\[0, 1\] is 6"):
             hexmesh.fill_with_hexahedra((corners, triangles), features="tags", tagged_edges=[[0, 6]])
 
+    def test_regions_of_hexahedra(self):
+        places = np.array([[i, j, k] for i in range(3) for j in range(2) for k in range(2)], dtype=float)
+        cells, regions = [], []
+        for i in range(2):
+            for order in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (1, 0, 2), (2, 1, 0)):
+                corners = [np.array([i, 0, 0])]
+                for axis in order:
+                    corners.append(corners[-1] + np.eye(3, dtype=int)[axis])
+                cell = [int(4 * c[0] + 2 * c[1] + c[2]) for c in corners]
+                cells.append(cell if np.linalg.det(places[cell[1:]] - places[cell[0]]) > 0 else [cell[0], cell[2], cell[1], cell[3]])
+                regions.append(7 if i == 0 else -4)
+        made = hexmesh.fill_with_hexahedra((places, np.array(cells)), method="polycube", cells=100, regions=regions)
+        self.assertEqual(made.report.conforming, 1)
+        self.assertEqual(set(made.regions.tolist()), {7, -4})
+        x = made.positions[made.hexahedra][:, :, 0]
+        self.assertLess(x[made.regions == 7].max(), 1 + 1e-12)
+        self.assertGreater(x[made.regions == -4].min(), 1 - 1e-12)
+        plain = hexmesh.fill_with_hexahedra((places, np.array(cells)), method="polycube", cells=100)
+        self.assertFalse(plain.regions.any())
+        for wrong in (regions[1:], [0.5] * 12, [2**40] * 12):
+            with self.assertRaisesRegex(ValueError, "regions: "):
+                hexmesh.fill_with_hexahedra((places, np.array(cells)), regions=wrong)
+
     def test_hexahedra_along_frames(self):
         count, bits = from_c()["cube"]
         corners = np.array([(i & 1, i >> 1 & 1, i >> 2) for i in range(8)], dtype=float)

@@ -34,6 +34,8 @@ mutable struct obc_hexmesh_options <: CStruct
     tagged_vertex_count::Csize_t
     fill::Ptr{Cvoid}
     fill_user::Ptr{Cvoid}
+    regions::Ptr{Int32}
+    region_count::Csize_t
     obc_hexmesh_options() = zeroed!(new())
 end
 
@@ -64,6 +66,9 @@ mutable struct obc_hexmesh_report <: CStruct
     captured::Float64
     scaled_jacobian_bound::Float64
     embedded::Int32
+    conforming::Int32
+    region_quads::Csize_t
+    region_hausdorff_percent::Float64
     obc_hexmesh_report() = zeroed!(new())
 end
 
@@ -107,6 +112,10 @@ obc_hexmesh_quad_count(hexes) =
 const address_obc_hexmesh_copy = Ref(C_NULL)
 obc_hexmesh_copy(hexes, positions, hexahedra, quads, quad_patches, error) =
     ccall(symbol(address_obc_hexmesh_copy, :hexmesh, :obc_hexmesh_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_patches, error)
+
+const address_obc_hexmesh_copy_regions = Ref(C_NULL)
+obc_hexmesh_copy_regions(hexes, regions, error) =
+    ccall(symbol(address_obc_hexmesh_copy_regions, :hexmesh, :obc_hexmesh_copy_regions), Int32, (Ptr{Cvoid}, Ptr{Int32}, Ptr{obc_error}), hexes, regions, error)
 
 const address_obc_hexmesh_missing_count = Ref(C_NULL)
 obc_hexmesh_missing_count(hexes) =

@@ -43,6 +43,8 @@ class obc_hexmesh_options(_Struct):
         ("tagged_vertex_count", _c.c_size_t),
         ("fill", obc_hexmesh_fill_function),
         ("fill_user", _c.c_void_p),
+        ("regions", _c.c_void_p),
+        ("region_count", _c.c_size_t),
     ]
 
 
@@ -77,6 +79,9 @@ class obc_hexmesh_report(_Struct):
         ("captured", _c.c_double),
         ("scaled_jacobian_bound", _c.c_double),
         ("embedded", _c.c_int32),
+        ("conforming", _c.c_int32),
+        ("region_quads", _c.c_size_t),
+        ("region_hausdorff_percent", _c.c_double),
     ]
 
 
@@ -100,6 +105,7 @@ _functions = [
     ("obc_hexmesh_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_hexmesh_quad_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_hexmesh_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_hexmesh_copy_regions", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_hexmesh_missing_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_hexmesh_get_missing", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
     ("obc_hexmesh_missing_reason", _c.c_char_p, [_c.c_void_p, _c.c_size_t]),

@@ -39,7 +39,9 @@ class obc_hexmesh_options(Struct):
     tagged_vertex_count: int
     fill: Any
     fill_user: Any
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., max_hausdorff_percent: float = ..., max_cells: int = ..., feature_angle: float = ..., features: int = ..., tagged_edges: Any = ..., tagged_edge_count: int = ..., tagged_vertices: Any = ..., tagged_vertex_count: int = ..., fill: Any = ..., fill_user: Any = ...) -> None: ...
+    regions: Any
+    region_count: int
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., max_hausdorff_percent: float = ..., max_cells: int = ..., feature_angle: float = ..., features: int = ..., tagged_edges: Any = ..., tagged_edge_count: int = ..., tagged_vertices: Any = ..., tagged_vertex_count: int = ..., fill: Any = ..., fill_user: Any = ..., regions: Any = ..., region_count: int = ...) -> None: ...
 
 class obc_hexmesh_report(Struct):
     struct_size: int
@@ -68,7 +70,10 @@ class obc_hexmesh_report(Struct):
     captured: float
     scaled_jacobian_bound: float
     embedded: int
-    def __init__(self, struct_size: int = ..., padded: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ..., follows_sharp_edges: int = ..., grid_based: int = ..., method: int = ..., integers_optimal: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., fields: int = ..., feature_curves: int = ..., feature_corners: int = ..., missing_features: int = ..., captured: float = ..., scaled_jacobian_bound: float = ..., embedded: int = ...) -> None: ...
+    conforming: int
+    region_quads: int
+    region_hausdorff_percent: float
+    def __init__(self, struct_size: int = ..., padded: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ..., follows_sharp_edges: int = ..., grid_based: int = ..., method: int = ..., integers_optimal: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., fields: int = ..., feature_curves: int = ..., feature_corners: int = ..., missing_features: int = ..., captured: float = ..., scaled_jacobian_bound: float = ..., embedded: int = ..., conforming: int = ..., region_quads: int = ..., region_hausdorff_percent: float = ...) -> None: ...
 
 class obc_hexmesh_missing(Struct):
     struct_size: int
@@ -124,6 +129,10 @@ def obc_hexmesh_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, qua
     """Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
     counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
     each may be NULL. Errors: invalid argument."""
+    ...
+
+def obc_hexmesh_copy_regions(hexes: Pointer, regions: Pointer, error: Pointer) -> int:
+    """Copies the number of the region of each hexahedron, 0 where the solid had none. Errors: invalid argument."""
     ...
 
 def obc_hexmesh_missing_count(hexes: Pointer) -> int:

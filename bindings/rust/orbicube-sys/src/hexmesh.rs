@@ -82,6 +82,11 @@ pub struct obc_hexmesh_options {
     pub fill: obc_hexmesh_fill_function,
     /// passed to fill as user. Default: NULL.
     pub fill_user: *mut c_void,
+    /// Numbers of the regions of the tetrahedra of obc\_hexmesh\_compute\_solid, one each, as of materials. Faces of the mesh are moved onto the
+    /// faces between regions, and each hexahedron gets the number of its region. NULL: no regions. Default: NULL.
+    pub regions: *const i32,
+    /// number of entries of regions: that of the tetrahedra, or 0. Default: 0.
+    pub region_count: usize,
 }
 
 /// Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
@@ -144,6 +149,13 @@ pub struct obc_hexmesh_report {
     pub scaled_jacobian_bound: f64,
     /// 1: the cells of a grid with the features embedded; 0: the mesh of the method
     pub embedded: i32,
+    /// 1: faces of hexahedra are where regions of the solid meet; 0: they are not, or there are no regions
+    pub conforming: i32,
+    /// number of faces between hexahedra of different regions, where conforming is 1
+    pub region_quads: usize,
+    /// Hausdorff distance of these and the faces between regions of the solid, by their vertices and
+    /// centers, in percent of the bounding-box diagonal
+    pub region_hausdorff_percent: f64,
 }
 
 /// A feature that the mesh lacks: a corner, or a curve with less than 95 % of its length captured. The caller sets struct\_size.
@@ -194,6 +206,8 @@ extern "C" {
     /// counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
     /// each may be NULL. Errors: invalid argument.
     pub fn obc_hexmesh_copy(hexes: *const obc_hexmesh, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_patches: *mut u32, error: *mut obc_error) -> i32;
+    /// Copies the number of the region of each hexahedron, 0 where the solid had none. Errors: invalid argument.
+    pub fn obc_hexmesh_copy_regions(hexes: *const obc_hexmesh, regions: *mut i32, error: *mut obc_error) -> i32;
     /// Returns the number of missing features; 0 for NULL.
     pub fn obc_hexmesh_missing_count(hexes: *const obc_hexmesh) -> usize;
     /// Copies missing feature \`index\`, from 0. Errors: invalid argument.
@@ -213,7 +227,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_hexmesh_options>(), align_of::<obc_hexmesh_options>()), (128, 8));
+        assert_eq!((size_of::<obc_hexmesh_options>(), align_of::<obc_hexmesh_options>()), (144, 8));
         let it = MaybeUninit::<obc_hexmesh_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_hexmesh_options.struct_size");
@@ -234,7 +248,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).tagged_vertex_count) } as usize - start as usize, 104, "obc_hexmesh_options.tagged_vertex_count");
         assert_eq!(unsafe { addr_of!((*start).fill) } as usize - start as usize, 112, "obc_hexmesh_options.fill");
         assert_eq!(unsafe { addr_of!((*start).fill_user) } as usize - start as usize, 120, "obc_hexmesh_options.fill_user");
-        assert_eq!((size_of::<obc_hexmesh_report>(), align_of::<obc_hexmesh_report>()), (184, 8));
+        assert_eq!(unsafe { addr_of!((*start).regions) } as usize - start as usize, 128, "obc_hexmesh_options.regions");
+        assert_eq!(unsafe { addr_of!((*start).region_count) } as usize - start as usize, 136, "obc_hexmesh_options.region_count");
+        assert_eq!((size_of::<obc_hexmesh_report>(), align_of::<obc_hexmesh_report>()), (200, 8));
         let it = MaybeUninit::<obc_hexmesh_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_hexmesh_report.struct_size");
@@ -263,6 +279,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).captured) } as usize - start as usize, 160, "obc_hexmesh_report.captured");
         assert_eq!(unsafe { addr_of!((*start).scaled_jacobian_bound) } as usize - start as usize, 168, "obc_hexmesh_report.scaled_jacobian_bound");
         assert_eq!(unsafe { addr_of!((*start).embedded) } as usize - start as usize, 176, "obc_hexmesh_report.embedded");
+        assert_eq!(unsafe { addr_of!((*start).conforming) } as usize - start as usize, 180, "obc_hexmesh_report.conforming");
+        assert_eq!(unsafe { addr_of!((*start).region_quads) } as usize - start as usize, 184, "obc_hexmesh_report.region_quads");
+        assert_eq!(unsafe { addr_of!((*start).region_hausdorff_percent) } as usize - start as usize, 192, "obc_hexmesh_report.region_hausdorff_percent");
         assert_eq!((size_of::<obc_hexmesh_missing>(), align_of::<obc_hexmesh_missing>()), (64, 8));
         let it = MaybeUninit::<obc_hexmesh_missing>::uninit();
         let start = it.as_ptr();

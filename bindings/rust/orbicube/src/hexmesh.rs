@@ -43,6 +43,8 @@ pub struct Hexes {
     pub quads: Vec<[u32; 4]>,
     /// Of the polycube, of the map along frames, or of embedded features: what each quad lies on.
     pub quad_patches: Vec<u32>,
+    /// The number of the region that each hexahedron is in, 0 where the options have no regions.
+    pub regions: Vec<i32>,
     /// Of the features that the options request.
     pub missing: Vec<MissingFeature>,
 }
@@ -60,6 +62,8 @@ impl Hexes {
                 obc_hexmesh_copy(out, hexes.positions.as_mut_ptr(), hexes.hexahedra.as_mut_ptr() as *mut u32,
                                           hexes.quads.as_mut_ptr() as *mut u32, hexes.quad_patches.as_mut_ptr(), error)
             })?;
+            hexes.regions.resize(hexes.hexahedra.len(), 0);
+            checked(|error| obc_hexmesh_copy_regions(out, hexes.regions.as_mut_ptr(), error))?;
             for index in 0..obc_hexmesh_missing_count(out) {
                 let mut found: obc_hexmesh_missing = std::mem::zeroed();
                 found.struct_size = std::mem::size_of::<obc_hexmesh_missing>() as u32;

@@ -1,0 +1,38 @@
+#include "hexmesh/quality/corner_elements.h"
+
+namespace orbicube::hexmesh {
+
+std::array<double, 3> own_lengths(const HexMesh& mesh, Index hexahedron, const std::array<double, 3>& given) {
+  constexpr double shortest = 0.15, longest = 3;  // over the given ones
+  const Hexahedron& h = mesh.hexahedra[hexahedron];
+  std::array<double, 3> length{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (const auto& e : edges_along[d])
+      length[d] += 0.25 * (mesh.positions[h[e[1]]] - mesh.positions[h[e[0]]]).norm();
+    length[d] = std::clamp(length[d], shortest * given[d], longest * given[d]);
+  }
+  return length;
+}
+
+Array<Element> corner_elements(const HexMesh& mesh, std::span<const Index> chosen, const BoxSizes& sizes,
+                               const base::Host& host) {
+  Array<Element> elements(corner_tetrahedra * chosen.size(), host.memory);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const HexTetrahedron& corner = hex_tetrahedra[i % corner_tetrahedra];
+    const Index of = chosen[i / corner_tetrahedra];
+    elements[i] = corner.element(mesh.hexahedra[of]);
+    corner.set_shape(sizes[of], elements[i]);
+  }
+  return elements;
+}
+
+void weigh_corners(std::span<const Vector3> positions, double most, Array<Element>& corners) {
+  constexpr double good = 0.5, least = 0.02;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double s = hex_tetrahedra[i % corner_tetrahedra].scaled_jacobian(positions, corners[i]);
+    const double part = good / std::max(s, least);
+    corners[i].weight = std::clamp(part * part, 1.0, most);
+  }
+}
+
+}  // namespace orbicube::hexmesh

@@ -1,0 +1,158 @@
+#include "hexmesh/regions/conforming_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "hexmesh/certificate/hex_embedding.h"
+#include "hexmesh/certificate/hex_figures.h"
+#include "hexmesh/features/boundary_quads.h"
+#include "hexmesh/regions/boundary_lines.h"
+#include "hexmesh/regions/hex_labels.h"
+#include "hexmesh/regions/region_fitting.h"
+#include "hexmesh/regions/region_sheets.h"
+#include "volume_map/input/solid_boundary.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+// The exponent of the mean length of an edge: scaled by it, rounding changes nothing.
+int exponent_of_mean_edge(const HexMesh& mesh) {
+  double sum = 0;
+  for (const Hexahedron& h : mesh.hexahedra)
+    sum += (mesh.positions[h[6]] - mesh.positions[h[0]]).norm() / std::sqrt(3.0);
+  return static_cast<int>(std::lround(std::log2(sum / static_cast<double>(mesh.hexahedra.size()))));
+}
+
+void scale_positions(Array<Vector3>& positions, int exponent) {
+  for (Vector3& p : positions)
+    p *= std::ldexp(1.0, exponent);
+}
+
+Array<Quad> quads_between(const HexMesh& mesh, const Array<Index>& labels, const base::Host& host) {
+  Array<Quad> quads(host.memory);
+  for (const HexFace& face : faces_of(mesh.hexahedra, mesh.positions.size(), {}, host)) {
+    if (face.second != no_index && labels[face.first] != labels[face.second]) quads.push_back(face.quad);
+  }
+  return quads;
+}
+
+// Vertices and middles of the triangles of one surface from the other.
+double farthest_from(std::span<const Vector3> p, std::span<const mesh::Triangle> triangles,
+                     const mesh::SurfaceSearch& from) {
+  double most = 0;
+  for (const mesh::Triangle& t : triangles) {
+    for (const Index v : t)
+      most = std::max(most, from.nearest(p[v]).distance);
+    most = std::max(most, from.nearest((p[t[0]] + p[t[1]] + p[t[2]]) / 3).distance);
+  }
+  return most;
+}
+
+// Labels with 0 for regions that no sheet is for: none of their hexahedra has two faces towards the same other region,
+// which would be one plane then.
+Array<Index> with_bent_faces(const HexMesh& mesh, const Array<Index>& labels, const base::Host& host) {
+  Array<std::pair<Index, Index>> sides(host.memory);  // of hexahedra and labels beyond
+  for (const HexFace& face : faces_of(mesh.hexahedra, mesh.positions.size(), {}, host)) {
+    if (face.second == no_index || labels[face.first] == labels[face.second]) continue;
+    sides.emplace_back(face.first, labels[face.second]);
+    sides.emplace_back(face.second, labels[face.first]);
+  }
+  std::sort(sides.begin(), sides.end());
+  Array<std::uint8_t> bent(1 + std::size_t{*std::max_element(labels.begin(), labels.end())}, 0, host.memory);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i] == sides[i - 1]) bent[labels[sides[i].first]] = 1;
+  Array<Index> result(labels, host.memory);
+  for (Index& label : result)
+    if (bent[label] == 0) label = 0;
+  return result;
+}
+
+// The input in units in which edges of hexahedra have about length 1.
+struct Scaled {
+  Scaled(const HexMesh& m, const mesh::Mesh& s, const base::Host& host)
+      : exponent(exponent_of_mean_edge(m)), mesh(host.memory), solid(host.memory) {
+    mesh.positions.assign(m.positions.begin(), m.positions.end());
+    mesh.hexahedra.assign(m.hexahedra.begin(), m.hexahedra.end());
+    solid.positions.assign(s.positions.begin(), s.positions.end());
+    solid.tetrahedra.assign(s.tetrahedra.begin(), s.tetrahedra.end());
+    solid.regions.tetrahedra.assign(s.regions.tetrahedra.begin(), s.regions.tetrahedra.end());
+    scale_positions(mesh.positions, -exponent);
+    scale_positions(solid.positions, -exponent);
+  }
+
+  int exponent;
+  HexMesh mesh;
+  mesh::Mesh solid;
+};
+
+double percent_between(const Scaled& scaled, const RegionInterfaces& interfaces, const Array<Quad>& quads,
+                       const base::Host& host) {
+  const Array<mesh::Triangle> halves = halves_of(quads, host.memory);
+  const mesh::SurfaceSearch ours(scaled.mesh.positions, halves, host);
+  const mesh::SurfaceSearch theirs(scaled.solid.positions, interfaces.between_regions(), host);
+  const double distance = std::max(farthest_from(scaled.mesh.positions, halves, theirs),
+                                   farthest_from(scaled.solid.positions, interfaces.between_regions(), ours));
+  Vector3 low = scaled.solid.positions[0], high = low;
+  for (const Vector3& p : scaled.solid.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return 100 * distance / (high - low).norm();
+}
+
+// Takes the mesh into the result if it is valid.
+bool take(HexMesh& mesh, HexResult& result, const mesh::Mesh& solid, const base::Host& host) {
+  const BoundaryQuads outer(mesh.hexahedra, mesh.positions.size(), host);
+  mesh.quads.assign(outer.quads().begin(), outer.quads().end());
+  mesh.quad_patches.assign(mesh.quads.size(), 0);
+  HexQuality quality = measure_hexahedra(mesh.positions, mesh.hexahedra, host);
+  measure_embedding(mesh.positions, mesh.quads, quality, host);
+  if (!quality.valid()) {
+    host.log("moved to faces between regions: " + what_is_wrong(quality));
+    return false;
+  }
+  const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, host);
+  const HexFigures figures = figures_of(mesh.positions, mesh.hexahedra, first.positions, first.surface, host);
+  result.mesh = std::move(mesh);
+  result.quality = quality;
+  result.quality.volume = figures.volume;
+  result.distance = figures.distance;
+  result.volume_error = figures.volume_error;
+  return true;
+}
+
+}  // namespace
+
+RegionFigures conform_to_regions(HexResult& result, const mesh::Mesh& solid, const base::Host& host) {
+  RegionFigures figures{Array<std::int32_t>(host.memory)};
+  Scaled scaled(result.mesh, solid, host);
+  RegionInterfaces interfaces(scaled.solid.positions, scaled.solid.tetrahedra, scaled.solid.regions.tetrahedra, host);
+  Array<Index> labels = labels_of_hexahedra(scaled.mesh, scaled.solid, interfaces, host);
+  const auto take_labels = [&] {
+    figures.of_hexahedra.clear();
+    for (const Index label : labels)
+      figures.of_hexahedra.push_back(interfaces.numbers()[label - 1]);
+  };
+  take_labels();
+  if (!interfaces.any()) return figures;
+  const BoundaryLines lines(scaled.mesh, host);
+  const Sheets sheets = add_sheets(scaled.mesh, labels, lines, interfaces, host);
+  if (!fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, host)) {
+    host.log("moved to faces between regions, some hexahedra fold");
+    return figures;
+  }
+  const Array<Quad> between = quads_between(scaled.mesh, labels, host);
+  const double distance = between.empty() ? 0 : percent_between(scaled, interfaces, between, host);
+  scale_positions(scaled.mesh.positions, scaled.exponent);
+  if (!take(scaled.mesh, result, solid, host)) return figures;
+  take_labels();
+  figures.conforming = true;
+  figures.interface_quads = between.size();
+  figures.distance = distance;
+  return figures;
+}
+
+}  // namespace orbicube::hexmesh
