@@ -4,6 +4,8 @@
     regions_test.py COMMAND
 """
 import collections
+import itertools
+import json
 import re
 
 from command import InFolder, main, run
@@ -19,6 +21,32 @@ def cube():
     rows = [" ".join(str(v + 1) for v in t) + f" {region}" for t, region in triangles]
     places = [" ".join(map(str, p)) + " 0" for p in CORNERS]
     return "\n".join(["MeshVersionFormatted 2", "Dimension 3", "Vertices", "8", *places, "Triangles", str(len(rows)), *rows, "End", ""])
+
+
+def slope_of(p):
+    """Below 0 on one side of the plane between the regions of two_regions()."""
+    return p[0] - 1.1 - 0.3 * p[1]
+
+
+def two_regions():
+    """MEDIT: a box of 4 x 2 x 2 sheared cubes of six tetrahedra each, with region 4 before a sloping plane and 9 beyond."""
+    number = {p: i + 1 for i, p in enumerate((i, j, k) for i in range(5) for j in range(3) for k in range(3))}
+    places = []
+    for i, j, k in number:
+        y = j / 2
+        plane = 1.1 + 0.3 * y
+        places.append(f"{plane * i / 2 if i < 3 else plane + (2 - plane) * (i - 2) / 2} {y} {k / 2} 0")
+    rows = []
+    for start in ((i, j, k) for i in range(4) for j in range(2) for k in range(2)):
+        for order in itertools.permutations(range(3)):
+            corners = [start]
+            for axis in order:
+                corners.append(tuple(c + (d == axis) for d, c in enumerate(corners[-1])))
+            if order in ((0, 2, 1), (1, 0, 2), (2, 1, 0)):  # odd
+                corners[2], corners[3] = corners[3], corners[2]
+            rows.append(" ".join(str(number[c]) for c in corners) + (" 4" if start[0] < 2 else " 9"))
+    return "\n".join(["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(places)), *places, "Tetrahedra", str(len(rows)), *rows,
+                      "End", ""])
 
 
 def cells(path, section):
@@ -79,6 +107,23 @@ class Regions(InFolder):
         self.work("hex", "cube.mesh", "-o", "hexes.mesh", "--cells", "27")
         sides = self.check_sides("hexes.mesh", "Quadrilaterals")
         self.assertEqual((len(sides), len(set(sides.values()))), (6, 1))
+
+    def test_faces_of_hexahedra_follow_where_regions_meet(self):
+        with open(self.path("halves.mesh"), "w", encoding="ascii") as file:
+            file.write(two_regions())
+        report = self.path("report.json")
+        said = self.work("hex", "halves.mesh", "-o", "hexes.mesh", "--cells", "300", "--report", report)
+        self.assertIn("between regions", said)
+        with open(report, encoding="utf-8") as file:
+            regions = json.load(file)["regions"]
+        self.assertEqual((regions["hexahedra"], regions["conforming"]), (2, True))
+        self.assertGreater(regions["quadrilaterals_between"], 0)
+        self.assertLess(regions["hausdorff_percent"], 1e-9)
+        positions, found = cells(self.path("hexes.mesh"), "Hexahedra")
+        for vertices, region in found:
+            for v in vertices:
+                beyond = slope_of(positions[v])
+                self.assertLess(beyond if region == 4 else -beyond, 1e-9)
 
 
 if __name__ == "__main__":
