@@ -163,9 +163,13 @@ void report_regions(std::span<const std::int32_t> of_quads, std::span<const std:
   };
   session.figures()["regions"] = {{"quadrilaterals", count(of_quads)}, {"hexahedra", count(of_hexahedra)}};
   if (!regions) return;
-  if (!regions->conforming && count(of_hexahedra) > 1)
+  if (regions->lost > 0)
+    session.note("no hexahedron is in " + base::counted(regions->lost, "region") +
+                 ", thinner than cells; raise --cells");
+  else if (!regions->conforming && count(of_hexahedra) > 1)
     session.note("regions meet in steps along cells, since hexahedra would fold; more --cells may help");
   session.figures()["regions"].update(Json{{"conforming", regions->conforming},
+                                           {"lost", regions->lost},
                                            {"quadrilaterals_between", regions->interface_quads},
                                            {"hausdorff_percent", regions->distance}});
 }

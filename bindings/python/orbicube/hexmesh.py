@@ -13,7 +13,7 @@ from typing import Any, Literal, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Doubles, Indices, address, doubles, indices
+from ._arrays import Doubles, Indices, address, doubles, indices, numbers
 from ._call import HOST, Handle, Progress, call, filled, sized, with_options
 from ._foreign import parts_of, solid_of
 from ._records import Record
@@ -76,12 +76,12 @@ def _set_tags(chosen: raw.obc_hexmesh_options, edges: Optional[ArrayLike], verti
 
 
 def _region_numbers(regions: ArrayLike, count: int) -> NDArray[np.int32]:
-    numbers = np.asarray(regions)
-    if numbers.shape != (count,) or not np.issubdtype(numbers.dtype, np.integer):
+    given = numbers(regions, "regions")
+    if given.shape != (count,) or given.dtype.kind not in "iu":
         raise ValueError(f"regions: an integer for each of the {count} tetrahedra is needed")
-    if numbers.size and (numbers.min() < -2**31 or numbers.max() >= 2**31):
+    if given.size and (given.min() < -2**31 or given.max() >= 2**31):
         raise ValueError("regions: 32 bits do not hold a number")
-    return np.ascontiguousarray(numbers, dtype=np.int32)
+    return np.ascontiguousarray(given, dtype=np.int32)
 
 
 def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
@@ -117,9 +117,9 @@ def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
     if frames is not None or _is_solid(shape):
         positions, tetrahedra = solid_of(shape, "shape")
         kept = _set_tags(chosen, tagged_edges, tagged_vertices, len(positions))
-        numbers = None if regions is None else _region_numbers(regions, len(tetrahedra))
-        if numbers is not None:
-            chosen.regions, chosen.region_count = address(numbers), len(numbers)
+        of_cells = None if regions is None else _region_numbers(regions, len(tetrahedra))
+        if of_cells is not None:
+            chosen.regions, chosen.region_count = address(of_cells), len(of_cells)
         field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
         call(raw.obc_hexmesh_compute_solid, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
              address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)

@@ -39,6 +39,14 @@ Array<Quad> quads_between(const HexMesh& mesh, const Array<Index>& labels, const
   return quads;
 }
 
+// The number of labels that no hexahedron has.
+std::size_t lost_labels(const Array<Index>& labels, const RegionInterfaces& interfaces, const base::Host& host) {
+  Array<std::uint8_t> there(interfaces.numbers().size() + 1, 0, host.memory);
+  for (const Index label : labels)
+    there[label] = 1;
+  return interfaces.numbers().size() - static_cast<std::size_t>(std::count(there.begin(), there.end(), 1));
+}
+
 // Vertices and middles of the triangles of one surface from the other.
 double farthest_from(std::span<const Vector3> p, std::span<const mesh::Triangle> triangles,
                      const mesh::SurfaceSearch& from) {
@@ -49,25 +57,6 @@ double farthest_from(std::span<const Vector3> p, std::span<const mesh::Triangle>
     most = std::max(most, from.nearest((p[t[0]] + p[t[1]] + p[t[2]]) / 3).distance);
   }
   return most;
-}
-
-// Labels with 0 for regions that no sheet is for: none of their hexahedra has two faces towards the same other region,
-// which would be one plane then.
-Array<Index> with_bent_faces(const HexMesh& mesh, const Array<Index>& labels, const base::Host& host) {
-  Array<std::pair<Index, Index>> sides(host.memory);  // of hexahedra and labels beyond
-  for (const HexFace& face : faces_of(mesh.hexahedra, mesh.positions.size(), {}, host)) {
-    if (face.second == no_index || labels[face.first] == labels[face.second]) continue;
-    sides.emplace_back(face.first, labels[face.second]);
-    sides.emplace_back(face.second, labels[face.first]);
-  }
-  std::sort(sides.begin(), sides.end());
-  Array<std::uint8_t> bent(1 + std::size_t{*std::max_element(labels.begin(), labels.end())}, 0, host.memory);
-  for (std::size_t i = 1; i < sides.size(); ++i)
-    if (sides[i] == sides[i - 1]) bent[labels[sides[i].first]] = 1;
-  Array<Index> result(labels, host.memory);
-  for (Index& label : result)
-    if (bent[label] == 0) label = 0;
-  return result;
 }
 
 // The input in units in which edges of hexahedra have about length 1.
@@ -138,9 +127,18 @@ RegionFigures conform_to_regions(HexResult& result, const mesh::Mesh& solid, con
   };
   take_labels();
   if (!interfaces.any()) return figures;
+  figures.lost = lost_labels(labels, interfaces, host);
+  if (figures.lost > 0) return figures;
   const BoundaryLines lines(scaled.mesh, host);
   const Sheets sheets = add_sheets(scaled.mesh, labels, lines, interfaces, host);
-  if (!fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, host)) {
+  const Array<Vector3> start(scaled.mesh.positions, host.memory);
+  bool fits =
+      interfaces.has_clear_creases(1) && fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, true, host);
+  if (!fits) {
+    scaled.mesh.positions.assign(start.begin(), start.end());
+    fits = fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, false, host);
+  }
+  if (!fits) {
     host.log("moved to faces between regions, some hexahedra fold");
     return figures;
   }

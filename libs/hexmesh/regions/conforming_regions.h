@@ -8,6 +8,7 @@ namespace orbicube::hexmesh {
 struct RegionFigures {
   Array<std::int32_t> of_hexahedra;  // the region of each
   bool conforming = false;           // faces between regions are on those of the solid, as far as `distance` says
+  std::size_t lost = 0;              // regions that no hexahedron is in, thinner than these
   std::size_t interface_quads = 0;
   double distance = 0;  // two-sided, between the faces between regions of both, in percent of the diagonal
 };

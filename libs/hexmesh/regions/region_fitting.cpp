@@ -18,12 +18,12 @@ namespace {
 class RegionFit {
  public:
   RegionFit(HexMesh& mesh, const Array<Index>& labels, const Sheets& sheets, const BoundaryLines& lines,
-            RegionInterfaces& interfaces, const base::Host& host)
+            RegionInterfaces& interfaces, bool creases, const base::Host& host)
       : mesh_(mesh),
         first_of_sheets_(sheets.first),
         host_(host),
         around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)),
-        targets_(mesh, labels, around_, sheets, lines, interfaces, host),
+        targets_(mesh, labels, around_, sheets, lines, interfaces, creases, host),
         chosen_(host.memory),
         pulled_(host.memory),
         sizes_(host.memory),
@@ -276,8 +276,8 @@ class RegionFit {
 }  // namespace
 
 bool fit_to_regions(HexMesh& mesh, const Array<Index>& labels, const Sheets& sheets, const BoundaryLines& lines,
-                    RegionInterfaces& interfaces, const base::Host& host) {
-  return RegionFit(mesh, labels, sheets, lines, interfaces, host).run();
+                    RegionInterfaces& interfaces, bool creases, const base::Host& host) {
+  return RegionFit(mesh, labels, sheets, lines, interfaces, creases, host).run();
 }
 
 }  // namespace orbicube::hexmesh

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +16,8 @@ namespace {
 constexpr const char* regions_phase = "regions";
 constexpr std::array<std::array<std::uint8_t, 3>, 4> faces_of_tetrahedron = {
     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+
+const double cosine_of_crease = std::cos(35 * std::numbers::pi / 180);
 
 bool contains_all(const LabelSet& set, const LabelSet& of) {
   return std::includes(set.begin(), set.end(), of.begin(), of.end());
@@ -51,7 +55,10 @@ RegionInterfaces::RegionInterfaces(std::span<const Vector3> positions, std::span
   for (std::size_t i = 0; i < tetrahedra.size(); ++i)
     label[i] = label_of(regions[i]);
   collect_faces(tetrahedra, label);
-  if (any_) collect_curves(tetrahedra, label);
+  if (!any_) return;
+  collect_curves(tetrahedra, label);
+  collect_creases();
+  collect_corners();
 }
 
 Index RegionInterfaces::label_of(std::int32_t number) const {
@@ -126,6 +133,72 @@ void RegionInterfaces::collect_curves(std::span<const mesh::Tetrahedron> tetrahe
   });
 }
 
+void RegionInterfaces::collect_creases() {
+  const auto normal = [&](const mesh::Triangle& t) {
+    return (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]).stableNormalized();
+  };
+  Array<std::pair<mesh::Edge, Index>> sides(host_.memory);
+  for (const auto& [labels, faces] : faces_) {
+    if (labels[0] == 0) continue;
+    sides.clear();
+    for (Index f = 0; f < faces.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
+        sides.push_back({{low, high}, f});
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i].first != sides[i - 1].first) continue;
+      if (normal(faces[sides[i].second]).dot(normal(faces[sides[i - 1].second])) < cosine_of_crease)
+        creases_.try_emplace(labels, host_.memory).first->second.push_back(sides[i].first);
+    }
+  }
+}
+
+void RegionInterfaces::collect_corners() {
+  std::map<Index, std::vector<Index>> neighbors;
+  for (const auto* lines : {&curves_, &creases_}) {
+    for (const auto& [labels, edges] : *lines) {
+      for (const mesh::Edge& e : edges) {
+        neighbors[e[0]].push_back(e[1]);
+        neighbors[e[1]].push_back(e[0]);
+      }
+    }
+  }
+  std::map<Index, LabelSet> labels_at;
+  for (const auto& [labels, vertices] : points_) {
+    for (const Index v : vertices)
+      labels_at[v] = labels;
+  }
+  for (const auto& [labels, edges] : creases_) {
+    for (const mesh::Edge& e : edges) {
+      labels_at.try_emplace(e[0], labels);
+      labels_at.try_emplace(e[1], labels);
+    }
+  }
+  for (const auto& [v, others] : neighbors) {
+    bool corner = others.size() != 2;
+    if (!corner) {
+      const Vector3 in = positions_[v] - positions_[others[0]], out = positions_[others[1]] - positions_[v];
+      corner = in.dot(out) < cosine_of_crease * in.norm() * out.norm();
+    }
+    if (corner) corners_.push_back({v, labels_at[v]});
+  }
+}
+
+bool RegionInterfaces::has_clear_creases(double edge) const {
+  constexpr double densest = 0.7;  // length of creases times an edge, over the area
+  double length = 0, area = 0;
+  for (const auto& [labels, edges] : creases_) {
+    for (const mesh::Edge& e : edges)
+      length += (positions_[e[1]] - positions_[e[0]]).norm();
+  }
+  for (const mesh::Triangle& t : between_)
+    area += 0.5 * (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]).norm();
+  return !(creases_.empty() && corners_.empty()) && length * edge <= densest * area;
+}
+
 Array<mesh::Triangle> RegionInterfaces::triangles_of(const LabelSet& labels, int& dimension) const {
   Array<mesh::Triangle> triangles(host_.memory);
   dimension = labels.size() == 2 ? 2 : labels.size() == 3 ? 1 : 0;
@@ -178,6 +251,29 @@ RegionInterfaces::Place RegionInterfaces::nearest(const LabelSet& labels, const 
   place.found = true;
   if (s.dimension == 2) place.direction = normal(found.triangle).stableNormalized();
   if (s.dimension == 1) place.direction = (positions_[of[1]] - positions_[of[0]]).stableNormalized();
+  return place;
+}
+
+RegionInterfaces::Place RegionInterfaces::nearest_on_crease(const LabelSet& labels, const Vector3& p) {
+  Place place;
+  const auto edges = creases_.find(labels);
+  if (edges == creases_.end()) return place;
+  auto found = strata_of_creases_.find(labels);
+  if (found == strata_of_creases_.end()) {
+    Array<mesh::Triangle> segments(host_.memory);
+    for (const mesh::Edge& e : edges->second)
+      segments.push_back({e[0], e[1], e[1]});
+    found = strata_of_creases_
+                .emplace(std::piecewise_construct, std::forward_as_tuple(labels),
+                         std::forward_as_tuple(positions_, std::move(segments), 1, host_))
+                .first;
+  }
+  const mesh::SurfacePoint at = found->second.search.nearest(p);
+  const mesh::Triangle& of = found->second.triangles[at.triangle];
+  place.position = at.position;
+  place.direction = (positions_[of[1]] - positions_[of[0]]).stableNormalized();
+  place.dimension = 1;
+  place.found = true;
   return place;
 }
 

@@ -41,6 +41,17 @@ class RegionInterfaces {
   // The nearest point at which all of these labels meet, of faces that do not look against `facing` where only two
   // meet and it is not 0; where no point is on all of that many, the nearest of a curve of three of them.
   Place nearest(const LabelSet& labels, const Vector3& p, const Vector3& facing);
+  // The nearest point of a sharp edge within the faces between two regions.
+  Place nearest_on_crease(const LabelSet& labels, const Vector3& p);
+  // Whether there are creases or corners, and creases are so far from each other that a mesh with edges of this length
+  // can have edges along them: not those of steps of a segmented image.
+  bool has_clear_creases(double edge) const;
+  // Ends, branches and bends of sharp edges between two labels and of curves of three, with all labels around.
+  struct Corner {
+    Index vertex;
+    LabelSet labels;
+  };
+  std::span<const Corner> corners() const { return corners_; }
   // The vertices at which all of these labels meet, at most `radius` away.
   void vertices_near(const LabelSet& labels, const Vector3& p, double radius, Array<Vector3>& found) const;
 
@@ -56,6 +67,8 @@ class RegionInterfaces {
 
   void collect_faces(std::span<const mesh::Tetrahedron> tetrahedra, const Array<Index>& label);
   void collect_curves(std::span<const mesh::Tetrahedron> tetrahedra, const Array<Index>& label);
+  void collect_creases();
+  void collect_corners();
   const Stratum& stratum(const LabelSet& labels);
   Array<mesh::Triangle> triangles_of(const LabelSet& labels, int& dimension) const;
 
@@ -67,7 +80,9 @@ class RegionInterfaces {
   std::map<LabelSet, Array<mesh::Triangle>> faces_;  // of two labels; looking out of the greater one
   std::map<LabelSet, Array<mesh::Edge>> curves_;     // of three and more
   std::map<LabelSet, Array<Index>> points_;          // of three and more
-  std::map<LabelSet, Stratum> strata_;
+  std::map<LabelSet, Array<mesh::Edge>> creases_;    // of two
+  std::vector<Corner> corners_;
+  std::map<LabelSet, Stratum> strata_, strata_of_creases_;
 };
 
 }  // namespace orbicube::hexmesh

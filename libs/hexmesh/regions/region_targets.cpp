@@ -8,7 +8,7 @@ namespace orbicube::hexmesh {
 
 RegionTargets::RegionTargets(const HexMesh& mesh, const Array<Index>& labels, const base::Groups<Index, Index>& around,
                              const Sheets& sheets, const BoundaryLines& lines, RegionInterfaces& interfaces,
-                             const base::Host& host)
+                             bool creases, const base::Host& host)
     : mesh_(mesh),
       labels_(labels),
       lines_(lines),
@@ -18,6 +18,9 @@ RegionTargets::RegionTargets(const HexMesh& mesh, const Array<Index>& labels, co
       patch_of_quad_(lines.patches_of(quads_, sheets)),
       vertices_(mesh.positions.size()) {
   classify(around);
+  if (!creases) return;
+  take_creases();
+  take_corners();
 }
 
 void RegionTargets::classify(const base::Groups<Index, Index>& around) {
@@ -81,6 +84,54 @@ std::optional<Vector3> RegionTargets::point_of(Index v) {
   return best;
 }
 
+void RegionTargets::take_creases() {
+  constexpr double near = 0.6, along = 0.7;  // edges, and the cosine of the angle between edge and crease
+  Array<std::pair<std::array<Index, 2>, Vector3>> sides(host_.memory);
+  for (const HexFace& face : faces_of(mesh_.hexahedra, mesh_.positions.size(), {}, host_)) {
+    if (face.second == no_index || labels_[face.first] == labels_[face.second]) continue;
+    const auto& p = mesh_.positions;
+    const Quad& q = face.quad;
+    Vector3 normal = (p[q[2]] - p[q[0]]).cross(p[q[3]] - p[q[1]]).stableNormalized();
+    if (labels_[face.first] > labels_[face.second]) normal = -normal;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto [low, high] = std::minmax(q[k], q[(k + 1) % 4]);
+      sides.push_back({{low, high}, normal});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  constexpr double bent = 0.8;  // cosine
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const auto [v, w] = sides[i].first;
+    const LabelSet& labels = vertices_[v].labels;
+    if (sides[i].first != sides[i - 1].first || sides[i].second.dot(sides[i - 1].second) > bent) continue;
+    if (labels.size() != 2 || labels != vertices_[w].labels) continue;
+    const Vector3 &p = mesh_.positions[v], &q = mesh_.positions[w];
+    const auto at_v = interfaces_.nearest_on_crease(labels, p), at_w = interfaces_.nearest_on_crease(labels, q);
+    if (!at_v.found || (at_v.position - p).norm() > near || (at_w.position - q).norm() > near) continue;
+    if (std::abs((q - p).dot(at_v.direction)) < along * (q - p).norm()) continue;
+    vertices_[v].on_crease = vertices_[w].on_crease = true;
+  }
+}
+
+void RegionTargets::take_corners() {
+  constexpr double near = 1;  // edges
+  const mesh::VertexSearch search(mesh_.positions, host_);
+  for (const RegionInterfaces::Corner& corner : interfaces_.corners()) {
+    const Vector3& p = interfaces_.positions()[corner.vertex];
+    Index nearest = no_index;
+    double least = near;
+    search.for_each_within(p, near, [&](Index v) {
+      const Vertex& vertex = vertices_[v];
+      if (vertex.kind != Kind::interface || vertex.labels != corner.labels) return;
+      const double distance = (mesh_.positions[v] - p).norm();
+      if (distance > least || (distance == least && v > nearest)) return;
+      least = distance;
+      nearest = v;
+    });
+    if (nearest != no_index && !vertices_[nearest].point) vertices_[nearest].point = p;
+  }
+}
+
 // A vector that the boundary looks along at a vertex.
 Vector3 RegionTargets::facing(Index v) const {
   Vector3 sum = Vector3::Zero();
@@ -99,6 +150,10 @@ RegionTargets::Target RegionTargets::target(Index v) {
     const BoundaryLines::Point at = lines_.nearest(vertex.patches, p);
     if (std::isfinite(at.distance)) return {at.position, at.tangent, 1};
     return {p, Vector3::Zero(), 0};
+  }
+  if (vertex.on_crease) {
+    const RegionInterfaces::Place at = interfaces_.nearest_on_crease(vertex.labels, p);
+    return {at.position, at.direction, 1};
   }
   const Vector3 from = vertex.kind == Kind::surface ? facing(v) : Vector3::Zero();
   const RegionInterfaces::Place at = interfaces_.nearest(vertex.labels, p, from);

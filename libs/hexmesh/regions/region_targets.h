@@ -19,9 +19,12 @@ class RegionTargets {
   // Vertices inside belong nowhere, fixed ones where they are: at corners of the boundary.
   enum class Kind : std::uint8_t { inside, fixed, surface, line, interface };
 
-  // Of a mesh with edges of about length 1 and sheets between the labels. Keeps references to all but the sheets.
+  // Of a mesh with edges of about length 1 and sheets between the labels. With `creases`, vertices at which faces
+  // between labels bend beside a sharp edge within the faces of their regions belong on it, and those nearest to its
+  // corners, or to those of curves, there. Keeps references to all but the sheets.
   RegionTargets(const HexMesh& mesh, const Array<Index>& labels, const base::Groups<Index, Index>& around,
-                const Sheets& sheets, const BoundaryLines& lines, RegionInterfaces& interfaces, const base::Host& host);
+                const Sheets& sheets, const BoundaryLines& lines, RegionInterfaces& interfaces, bool creases,
+                const base::Host& host);
 
   Kind kind(Index v) const { return vertices_[v].kind; }
   bool on_boundary(Index v) const { return !vertices_[v].labels.empty() && vertices_[v].labels[0] == 0; }
@@ -41,10 +44,13 @@ class RegionTargets {
     LabelSet labels;  // of the hexahedra around, 0 on the boundary
     std::pair<Index, Index> patches = {no_index, no_index};
     std::optional<Vector3> point;  // where it belongs
+    bool on_crease = false;
   };
 
   void classify(const base::Groups<Index, Index>& around);
   void classify_on_boundary(Index v);
+  void take_creases();
+  void take_corners();
   std::optional<Vector3> point_of(Index v);
   Vector3 facing(Index v) const;
 
