@@ -18,12 +18,16 @@
 namespace orbicube::hexmesh {
 namespace {
 
-// The exponent of the mean length of an edge: scaled by it, rounding changes nothing.
-int exponent_of_mean_edge(const HexMesh& mesh) {
+double mean_edge(const HexMesh& mesh) {
   double sum = 0;
   for (const Hexahedron& h : mesh.hexahedra)
     sum += (mesh.positions[h[6]] - mesh.positions[h[0]]).norm() / std::sqrt(3.0);
-  return static_cast<int>(std::lround(std::log2(sum / static_cast<double>(mesh.hexahedra.size()))));
+  return sum / static_cast<double>(mesh.hexahedra.size());
+}
+
+// Scaled by a power of two, rounding changes nothing.
+int exponent_of_mean_edge(const HexMesh& mesh) {
+  return static_cast<int>(std::lround(std::log2(mean_edge(mesh))));
 }
 
 void scale_positions(Array<Vector3>& positions, int exponent) {
@@ -129,11 +133,12 @@ RegionFigures conform_to_regions(HexResult& result, const mesh::Mesh& solid, con
   if (!interfaces.any()) return figures;
   figures.lost = lost_labels(labels, interfaces, host);
   if (figures.lost > 0) return figures;
+  const double edge = mean_edge(scaled.mesh);
   const BoundaryLines lines(scaled.mesh, host);
   const Sheets sheets = add_sheets(scaled.mesh, labels, lines, interfaces, host);
   const Array<Vector3> start(scaled.mesh.positions, host.memory);
   bool fits =
-      interfaces.has_clear_creases(1) && fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, true, host);
+      interfaces.has_clear_creases(edge) && fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, true, host);
   if (!fits) {
     scaled.mesh.positions.assign(start.begin(), start.end());
     fits = fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, false, host);

@@ -85,7 +85,7 @@ std::optional<Vector3> RegionTargets::point_of(Index v) {
 }
 
 void RegionTargets::take_creases() {
-  constexpr double near = 0.6, along = 0.7;  // edges, and the cosine of the angle between edge and crease
+  constexpr double near = 0.6, along = 0.7;  // of the edge, and the cosine of its angle with the crease
   Array<std::pair<std::array<Index, 2>, Vector3>> sides(host_.memory);
   for (const HexFace& face : faces_of(mesh_.hexahedra, mesh_.positions.size(), {}, host_)) {
     if (face.second == no_index || labels_[face.first] == labels_[face.second]) continue;
@@ -107,14 +107,15 @@ void RegionTargets::take_creases() {
     if (labels.size() != 2 || labels != vertices_[w].labels) continue;
     const Vector3 &p = mesh_.positions[v], &q = mesh_.positions[w];
     const auto at_v = interfaces_.nearest_on_crease(labels, p), at_w = interfaces_.nearest_on_crease(labels, q);
-    if (!at_v.found || (at_v.position - p).norm() > near || (at_w.position - q).norm() > near) continue;
-    if (std::abs((q - p).dot(at_v.direction)) < along * (q - p).norm()) continue;
+    const double edge = (q - p).norm();
+    if (!at_v.found || std::max((at_v.position - p).norm(), (at_w.position - q).norm()) > near * edge) continue;
+    if (std::abs((q - p).dot(at_v.direction)) < along * edge) continue;
     vertices_[v].on_crease = vertices_[w].on_crease = true;
   }
 }
 
 void RegionTargets::take_corners() {
-  constexpr double near = 1;  // edges
+  constexpr double near = 1.3;  // edges
   const mesh::VertexSearch search(mesh_.positions, host_);
   for (const RegionInterfaces::Corner& corner : interfaces_.corners()) {
     const Vector3& p = interfaces_.positions()[corner.vertex];
