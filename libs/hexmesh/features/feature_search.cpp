@@ -104,16 +104,7 @@ class FeatureSearch {
  private:
   static constexpr double kept = 0.8;  // of what the worst hexahedron was, or of its bound
 
-  // The scaled Jacobian, or less where the determinant may not be positive between good corners.
-  double quality(Index hexahedron) const {
-    constexpr double certain = 0.75;
-    constexpr double flat = 0.01, worse = 1;  // than whatever is between good corners
-    const Hexahedron& h = mesh_.hexahedra[hexahedron];
-    const double corners = scaled_jacobian(mesh_.positions, h);
-    if (corners > certain) return corners;
-    if (corners <= flat) return corners - worse;
-    return std::min(corners, 3 * min_bezier(mesh_.positions, h));
-  }
+  double quality(Index hexahedron) const { return searched_quality(mesh_.positions, mesh_.hexahedra[hexahedron]); }
   double worst_around(Index v) const {
     double worst = 1;
     for (const Index h : around_[v])

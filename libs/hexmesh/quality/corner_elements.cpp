@@ -35,4 +35,13 @@ void weigh_corners(std::span<const Vector3> positions, double most, Array<Elemen
   }
 }
 
+double searched_quality(std::span<const Vector3> positions, const Hexahedron& hexahedron) {
+  constexpr double certain = 0.75;
+  constexpr double flat = 0.01, worse = 1;  // than whatever is between good corners
+  const double corners = scaled_jacobian(positions, hexahedron);
+  if (corners > certain) return corners;
+  if (corners <= flat) return corners - worse;
+  return std::min(corners, 3 * min_bezier(positions, hexahedron));
+}
+
 }  // namespace orbicube::hexmesh

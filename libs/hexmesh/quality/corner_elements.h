@@ -21,4 +21,7 @@ Array<Element> corner_elements(const HexMesh& mesh, std::span<const Index> chose
 // Weighs corners by the square of how many times worse than good they are, between 1 and `most`.
 void weigh_corners(std::span<const Vector3> positions, double most, Array<Element>& corners);
 
+// For searches: the scaled Jacobian, or less where the determinant may not be positive between good corners.
+double searched_quality(std::span<const Vector3> positions, const Hexahedron& hexahedron);
+
 }  // namespace orbicube::hexmesh

@@ -161,15 +161,7 @@ class RegionFit {
                        [&](Index i) { return certainly_positive(mesh_.positions, mesh_.hexahedra[i]); });
   }
 
-  // The scaled Jacobian, or less where the determinant may not be positive between good corners.
-  double quality(Index hexahedron) const {
-    constexpr double certain = 0.75, flat = 0.01, worse = 1;
-    const Hexahedron& h = mesh_.hexahedra[hexahedron];
-    const double corners = scaled_jacobian(mesh_.positions, h);
-    if (corners > certain) return corners;
-    if (corners <= flat) return corners - worse;
-    return std::min(corners, 3 * min_bezier(mesh_.positions, h));
-  }
+  double quality(Index hexahedron) const { return searched_quality(mesh_.positions, mesh_.hexahedra[hexahedron]); }
   double worst_around(Index v) const {
     double worst = 1;
     for (const Index i : around_[v])
