@@ -96,6 +96,19 @@ double percent_between(const Scaled& scaled, const RegionInterfaces& interfaces,
   return 100 * distance / (high - low).norm();
 }
 
+// Adds sheets and moves the faces between labels, with sharp edges where these are clear and nothing folds. Returns
+// whether the hexahedra are positive. Throws Error where sheets make the boundary no manifold.
+bool fitted(HexMesh& mesh, Array<Index>& labels, RegionInterfaces& interfaces, const base::Host& host) {
+  const double edge = mean_edge(mesh);
+  const BoundaryLines lines(mesh, host);
+  const Sheets sheets = add_sheets(mesh, labels, lines, interfaces, host);
+  const Array<Vector3> start(mesh.positions, host.memory);
+  if (interfaces.has_clear_creases(edge) && fit_to_regions(mesh, labels, sheets, lines, interfaces, true, host))
+    return true;
+  mesh.positions.assign(start.begin(), start.end());
+  return fit_to_regions(mesh, labels, sheets, lines, interfaces, false, host);
+}
+
 // Takes the mesh into the result if it is valid.
 bool take(HexMesh& mesh, HexResult& result, const mesh::Mesh& solid, const base::Host& host) {
   const BoundaryQuads outer(mesh.hexahedra, mesh.positions.size(), host);
@@ -133,18 +146,14 @@ RegionFigures conform_to_regions(HexResult& result, const mesh::Mesh& solid, con
   if (!interfaces.any()) return figures;
   figures.lost = lost_labels(labels, interfaces, host);
   if (figures.lost > 0) return figures;
-  const double edge = mean_edge(scaled.mesh);
-  const BoundaryLines lines(scaled.mesh, host);
-  const Sheets sheets = add_sheets(scaled.mesh, labels, lines, interfaces, host);
-  const Array<Vector3> start(scaled.mesh.positions, host.memory);
-  bool fits =
-      interfaces.has_clear_creases(edge) && fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, true, host);
-  if (!fits) {
-    scaled.mesh.positions.assign(start.begin(), start.end());
-    fits = fit_to_regions(scaled.mesh, labels, sheets, lines, interfaces, false, host);
-  }
-  if (!fits) {
-    host.log("moved to faces between regions, some hexahedra fold");
+  try {
+    if (!fitted(scaled.mesh, labels, interfaces, host)) {
+      host.log("moved to faces between regions, some hexahedra fold");
+      return figures;
+    }
+  } catch (const base::Error& error) {
+    if (error.must_end()) throw;
+    host.log(std::string("faces between regions: ") + error.what());
     return figures;
   }
   const Array<Quad> between = quads_between(scaled.mesh, labels, host);
