@@ -146,13 +146,7 @@ class FeatureSearch {
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
       if (const double q = quality(i); q <= most) worst.push_back({q, i});
     }
-    std::sort(worst.begin(), worst.end());
-    if (worst.size() > max_worst) worst.resize(max_worst);
-    Array<Index> vertices(host_.memory);
-    for (const auto& [q, i] : worst)
-      vertices.insert(vertices.end(), mesh_.hexahedra[i].begin(), mesh_.hexahedra[i].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    Array<Index> vertices = hexmesh::vertices_of_worst(mesh_.hexahedra, std::move(worst), max_worst);
     if (!corners) std::erase_if(vertices, [&](Index v) { return targets_.kind(v) == FeatureTargets::Kind::corner; });
     return vertices;
   }

@@ -44,4 +44,16 @@ double searched_quality(std::span<const Vector3> positions, const Hexahedron& he
   return std::min(corners, 3 * min_bezier(positions, hexahedron));
 }
 
+Array<Index> vertices_of_worst(std::span<const Hexahedron> hexahedra, Array<std::pair<double, Index>> rated,
+                               std::size_t most) {
+  std::sort(rated.begin(), rated.end());
+  if (rated.size() > most) rated.resize(most);
+  Array<Index> vertices(rated.get_allocator().resource());
+  for (const auto& [quality, i] : rated)
+    vertices.insert(vertices.end(), hexahedra[i].begin(), hexahedra[i].end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 }  // namespace orbicube::hexmesh

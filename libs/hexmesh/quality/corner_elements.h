@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "hexmesh/certificate/hex_tetrahedra.h"
 
@@ -23,5 +24,9 @@ void weigh_corners(std::span<const Vector3> positions, double most, Array<Elemen
 
 // For searches: the scaled Jacobian, or less where the determinant may not be positive between good corners.
 double searched_quality(std::span<const Vector3> positions, const Hexahedron& hexahedron);
+
+// The vertices of the worst hexahedra, at most `most` of those that `rated` has with their quality, ascending.
+Array<Index> vertices_of_worst(std::span<const Hexahedron> hexahedra, Array<std::pair<double, Index>> rated,
+                               std::size_t most);
 
 }  // namespace orbicube::hexmesh

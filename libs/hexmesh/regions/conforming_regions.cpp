@@ -53,9 +53,11 @@ std::size_t lost_labels(const Array<Index>& labels, const RegionInterfaces& inte
 
 // Vertices and middles of the triangles of one surface from the other.
 double farthest_from(std::span<const Vector3> p, std::span<const mesh::Triangle> triangles,
-                     const mesh::SurfaceSearch& from) {
+                     const mesh::SurfaceSearch& from, const base::Host& host) {
   double most = 0;
-  for (const mesh::Triangle& t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i % 1024 == 0) host.report("regions", i, triangles.size());
+    const mesh::Triangle& t = triangles[i];
     for (const Index v : t)
       most = std::max(most, from.nearest(p[v]).distance);
     most = std::max(most, from.nearest((p[t[0]] + p[t[1]] + p[t[2]]) / 3).distance);
@@ -86,8 +88,8 @@ double percent_between(const Scaled& scaled, const RegionInterfaces& interfaces,
   const Array<mesh::Triangle> halves = halves_of(quads, host.memory);
   const mesh::SurfaceSearch ours(scaled.mesh.positions, halves, host);
   const mesh::SurfaceSearch theirs(scaled.solid.positions, interfaces.between_regions(), host);
-  const double distance = std::max(farthest_from(scaled.mesh.positions, halves, theirs),
-                                   farthest_from(scaled.solid.positions, interfaces.between_regions(), ours));
+  const double distance = std::max(farthest_from(scaled.mesh.positions, halves, theirs, host),
+                                   farthest_from(scaled.solid.positions, interfaces.between_regions(), ours, host));
   Vector3 low = scaled.solid.positions[0], high = low;
   for (const Vector3& p : scaled.solid.positions) {
     low = low.cwiseMin(p);
@@ -127,6 +129,12 @@ bool take(HexMesh& mesh, HexResult& result, const mesh::Mesh& solid, const base:
   result.quality.volume = figures.volume;
   result.distance = figures.distance;
   result.volume_error = figures.volume_error;
+  if (result.pieces.size() == 1) {
+    HexPiece& piece = result.pieces[0];
+    piece.hexahedra = result.mesh.hexahedra.size();
+    piece.distance = figures.distance;
+    piece.volume_error = figures.volume_error;
+  }
   return true;
 }
 

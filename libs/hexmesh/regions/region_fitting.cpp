@@ -89,6 +89,7 @@ class RegionFit {
     for (int ring = 0; ring < rings; ++ring) {
       Array<std::uint8_t> next(reached, host_.memory);
       for (Index i = 0; i < reached.size(); ++i) {
+        if (i % base::items_between_reports == 0) host_.report("regions", 0, 0);
         for (const Index v : mesh_.hexahedra[i])
           for (const Index j : around_[v])
             next[i] = next[i] | reached[j];
@@ -202,13 +203,7 @@ class RegionFit {
     for (const Index i : chosen_) {
       if (const double q = quality(i); q < bad) worst.push_back({q, i});
     }
-    std::sort(worst.begin(), worst.end());
-    if (worst.size() > most) worst.resize(most);
-    Array<Index> vertices(host_.memory);
-    for (const auto& [q, i] : worst)
-      vertices.insert(vertices.end(), mesh_.hexahedra[i].begin(), mesh_.hexahedra[i].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    Array<Index> vertices = hexmesh::vertices_of_worst(mesh_.hexahedra, std::move(worst), most);
     std::erase_if(vertices, [&](Index v) { return fixed_[3 * std::size_t{v}] != 0; });
     return vertices;
   }
@@ -242,6 +237,7 @@ class RegionFit {
     constexpr double kept = 0.8, floor = 0.1, positive = 1e-3;
     for (int round = 0; round < 3; ++round) {
       for (const Index v : pulled_) {
+        if (v % 64 == 0) host_.report("regions", 0, 0);
         const Vector3 from = mesh_.positions[v], to = targets_.target(v).position;
         const double least = std::max(positive, std::min(kept * worst_around(v), floor));
         for (const double part : {1.0, 0.5, 0.25}) {
