@@ -335,7 +335,7 @@ const obc_host* Call::host() {
 }
 
 void Call::enter_callback() {
-  require(begun_ > 0, "a callback outside of the call");
+  require(inside_, "a callback outside of the call");
   ++callbacks_;
   if (--until_thread_ends_ >= 0) return;
   if (random.one_in(2)) pthread_exit(nullptr);
@@ -374,13 +374,14 @@ double Call::seconds() const {
 }
 
 void Call::start() {
+  inside_ = true;
   begun_ = seconds();
 }
 
 void Call::end() {
   const double now = seconds();
   outcome.seconds = now - begun_;
-  begun_ = 0;
+  inside_ = false;
   outcome.succeeded = true;  // unless check() says otherwise
   allow_allocations();
   if (reported_cancel_) outcome.after_cancel = now - cancelled_at_;

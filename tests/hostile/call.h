@@ -350,6 +350,7 @@ class Call {
   std::uint64_t callbacks_ = 0;
   bool reported_cancel_ = false;
   std::int64_t until_thread_ends_ = INT64_MAX;  // callbacks
+  bool inside_ = false;  // of the call; its time does not tell, as a thread's clock may begin at zero
   double begun_ = 0, cancelled_at_ = 0;
   int answers_ = 0;
 };
