@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <utility>
 
@@ -47,6 +48,7 @@ Session::Session(const CommonOptions& options, std::string verb, std::string inp
       bar_(!options.quiet) {
   host_.thread_count = options.threads;
   host_.on_progress = [this](const base::Progress& progress) { return goes_on(progress); };
+  if (options.verbose) host_.on_log = [this](const std::string& line) { tell_at_once(line); };
 }
 
 double Session::seconds() const {
@@ -57,6 +59,11 @@ bool Session::goes_on(const base::Progress& progress) {
   bar_.show(progress);
   if (options_.time_limit > 0 && seconds() > options_.time_limit) out_of_time_ = true;
   return !out_of_time_ && !interrupted();
+}
+
+void Session::tell_at_once(const std::string& line) {
+  bar_.clear();
+  std::fprintf(stderr, "%8.1f s  %s\n", seconds(), printable(line).c_str());
 }
 
 void Session::say(const std::string& line) {
@@ -166,6 +173,8 @@ void add_weld_option(CLI::App& verb, bool& weld) {
 void add_common_options(CLI::App& app, CommonOptions& options) {
   const char* group = "Options of every verb";
   app.add_flag("--quiet", options.quiet, "print errors only, no text and no progress bar")->group(group);
+  app.add_flag("--verbose", options.verbose, "print to stderr what is tried, as it happens, with the seconds so far")
+      ->group(group);
   app.add_option("--threads", options.threads,
                  "number of threads, 0: one a core; results are the same for any number [default: 0]")
       ->check(unnamed(CLI::Range(0, 4096)))

@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct CommonOptions {
   bool quiet = false;
+  bool verbose = false;
   unsigned threads = 0;
   std::uint64_t seed = 0;
   double time_limit = 0;  // seconds; 0: none
@@ -87,6 +88,7 @@ class Session {
 
  private:
   bool goes_on(const base::Progress& progress);
+  void tell_at_once(const std::string& line);
   void end();
   [[noreturn]] void end_with(const Failure& failure);
   std::string report(const Json& outcome) const;

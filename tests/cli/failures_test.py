@@ -195,6 +195,17 @@ class Failures(InFolder):
         self.assertEqual(self.on_terminal("sphere", shape, "-o", output, "--quiet"), b"")
         self.assertEqual(run("sphere", shape, "-o", output).stderr, "")
 
+    def test_what_is_tried_is_told_where_it_is_asked_for(self):
+        arguments = ("polycube", self.made("torus", 400), "-o", self.path("polycube.obj"))
+        done = run(*arguments, "--verbose")
+        self.assertEqual(done.returncode, 0)
+        lines = done.stderr.splitlines()
+        self.assertTrue(any("angle" in line for line in lines), lines)
+        for line in lines:
+            self.assertRegex(line, r"^ *\d+\.\d s  \S")
+        self.assertEqual(done.stdout, run(*arguments).stdout)
+        self.assertEqual(run(*arguments, "--quiet", "--verbose").stdout, "")
+
 
 if __name__ == "__main__":
     main()
