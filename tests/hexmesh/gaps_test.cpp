@@ -9,6 +9,7 @@
 
 #include "bent_bar.h"
 #include "hexmesh/certificate/hex_embedding.h"
+#include "hexmesh/features/boundary_quads.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/grid/voxel_hexes.h"
 #include "hexmesh/quality/gap_opening.h"
@@ -60,6 +61,33 @@ Surface slit_block(double gap, int n, double leg = 1) {
   return surface;
 }
 
+// Eight hexahedra around an edge along z, by an angle together, and turned from the bottom to the top: the first and
+// the last quad share the edge, and are halves of one twisted quad or of the other.
+HexMesh fan(double angle, double turned) {
+  constexpr Index sectors = 8, layer = 2 * sectors + 2;
+  const auto ray = [](Index k) { return 1 + k; };
+  const auto diagonal = [](Index k) { return 2 + sectors + k; };
+  HexMesh mesh(host.memory);
+  for (const double z : {0.0, 1.0}) {
+    const double step = angle / sectors, from = z * turned;
+    mesh.positions.push_back({0, 0, z});
+    for (Index k = 0; k <= sectors; ++k)
+      mesh.positions.push_back({std::cos(from + k * step), std::sin(from + k * step), z});
+    for (Index k = 0; k < sectors; ++k) {
+      const double middle = from + (k + 0.5) * step;
+      mesh.positions.push_back({1.2 * std::cos(middle), 1.2 * std::sin(middle), z});
+    }
+  }
+  for (Index k = 0; k < sectors; ++k) {
+    const std::array<Index, 4> q = {0, ray(k), diagonal(k), ray(k + 1)};
+    mesh.hexahedra.push_back({q[0], q[1], q[2], q[3], layer + q[0], layer + q[1], layer + q[2], layer + q[3]});
+  }
+  for (const HexFace& face : faces_of(mesh.hexahedra, mesh.positions.size(), {}, host)) {
+    if (face.second == no_index) mesh.quads.push_back(face.quad);
+  }
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("Ends of a ring that lie in each other are moved apart, and nothing else is") {
@@ -80,6 +108,23 @@ TEST_CASE("Ends of a ring that lie in each other are moved apart, and nothing el
     }
     CHECK(moved > 0);
     CHECK(moved <= 64);  // 4 x 4 vertices at each end, and two layers further at most
+  }
+}
+
+TEST_CASE("Quads that cross beside an edge that they share are turned about it") {
+  constexpr double degree = std::numbers::pi / 180;
+  for (const double twist : {4.0, 8.0, 16.0}) {
+    const double between = twist / 16 * degree;
+    const HexMesh before = fan(2 * std::numbers::pi - between, twist * degree);
+    HexMesh mesh = fan(2 * std::numbers::pi - between, twist * degree);
+    const HexQuality met = quality_of(mesh);
+    REQUIRE(met.positive());
+    REQUIRE(met.intersections > 0);
+    REQUIRE(open_gaps(mesh, host));
+    CHECK(quality_of(mesh).valid());
+    CHECK(quality_of(mesh).min_scaled_jacobian > 0.5);
+    for (std::size_t v = 0; v < before.positions.size(); ++v)
+      CHECK((mesh.positions[v] - before.positions[v]).norm() < twist * degree);
   }
 }
 

@@ -225,7 +225,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     made.arcs_in_the_way = arcs_of(obstacles, graph, host);
     log_missed(search.cells(), made.obstacle, host);
   };
-  for (int fit = 0; fit < (options.once ? 1 : max_fits); ++fit) {
+  for (int fit = 0; fit < max_fits; ++fit) {
     const base::Stage stage(host, 0.5);
     const std::optional<EmbeddedCells> found = next_other(search, refused);
     if (!found) {
@@ -247,6 +247,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     if (!fitted || !fitted->quality.valid()) {
       const std::array fault = {FeatureObstacle{no_index, arc_at_fault(cells, fitted), why_not(fitted)}};
       missed(fault);
+      if (options.once && !made.found) break;
       search.refine_at(fault, finer);
       refused = size;
       continue;
@@ -259,7 +260,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     }
     made.found = true;
     const double times_too_far = excess(made.result, options.distance);
-    if (times_too_far <= 1 && captured >= all_captured) break;
+    if (times_too_far <= 1 && (options.once || captured >= all_captured)) break;
     if (times_too_far > 1 && correction == 0) correction = size + size / 2;
     if (!refine_for_more(times_too_far, most, figures, refine_chords, search)) break;
   }

@@ -19,7 +19,7 @@ struct FeatureHexOptions {
   double distance = 1;              // as in HexOptions
   int rounds = 40;                  // of fitting
   double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
-  bool once = false;                // one fit, not up to three
+  bool once = false;                // no other cells where a fit fails or lacks arcs, only where it is too far away
   // Of a mesh; while it has less than 99 percent of the length, the missing arcs get smaller cells.
   std::function<FeatureFigures(const HexMesh&)> measure;
   // The time is proportional to these: hexahedra of all fits, and cells of all grids, those outside of the solid too.

@@ -79,15 +79,11 @@ class GapOpening {
   void add(const std::array<Index, 2>& pair) {
     constexpr double min_margin = 1e-3, deep = 0.35;  // of the length of a quad
     const Quad &p = mesh_.quads[pair[0]], &q = mesh_.quads[pair[1]];
-    for (const Index v : p) {
-      if (std::find(q.begin(), q.end(), v) != q.end()) return;
-    }
     const Vector3 a = normal_of(pair[0]), b = normal_of(pair[1]);
     const Vector3 n = direction(p, q, a.normalized(), b.normalized());
     if (n.norm() == 0) return;
     const double length = std::sqrt(std::min(a.norm(), b.norm()));
-    const auto [top, bottom] = extent(p, q, n);
-    (top - bottom > deep * length ? deep_ : meetings_).push_back({pair, n, min_margin * length});
+    (overlap(p, q, n) > deep * length ? deep_ : meetings_).push_back({pair, n, min_margin * length});
   }
 
   // Along which the minimum of a way parts quads with these normals, among those against which they look and that are
@@ -96,14 +92,17 @@ class GapOpening {
     constexpr double against = 0.7;  // the sum of the cosines
     Vector3 best = Vector3::Zero();
     double least = std::numeric_limits<double>::infinity();
+    // Neighbors turn about the edge that they share.
+    const Vector3 hinge = shared_edge(p, q);
     const auto attempt = [&](Vector3 n, double dearer) {
+      n -= hinge.dot(n) * hinge;
       const double length = n.norm();
       if (!(length > 0)) return;
       n *= ((a - b).dot(n) < 0 ? -1 : 1) / length;
       if ((a - b).dot(n) < against) return;
-      const auto [top, bottom] = extent(p, q, n);
-      if (dearer * (top - bottom) >= least) return;
-      least = dearer * (top - bottom);
+      const double cost = dearer * overlap(p, q, n);
+      if (cost >= least) return;
+      least = cost;
       best = n;
     };
     // Neighbors are to go the same way, so that what is normal to edges only, which has many directions, must be much
@@ -120,14 +119,41 @@ class GapOpening {
     return best;
   }
 
-  // How far the first quad reaches along a direction, and where the second begins.
-  std::pair<double, double> extent(const Quad& p, const Quad& q, const Vector3& n) const {
-    double top = -std::numeric_limits<double>::infinity(), bottom = -top;
-    for (const Index v : p)
-      top = std::max(top, n.dot(mesh_.positions[v]));
-    for (const Index v : q)
-      bottom = std::min(bottom, n.dot(mesh_.positions[v]));
-    return {top, bottom};
+  static bool has(const Quad& quad, Index v) { return std::find(quad.begin(), quad.end(), v) != quad.end(); }
+
+  // Of length 1, or 0 where quads share at most a vertex.
+  Vector3 shared_edge(const Quad& p, const Quad& q) const {
+    Vector3 edge = Vector3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (has(q, p[i]) && has(q, p[(i + 1) % 4])) edge = mesh_.positions[p[(i + 1) % 4]] - mesh_.positions[p[i]];
+    }
+    return edge.norm() > 0 ? Vector3(edge.normalized()) : edge;
+  }
+
+  // How far the vertices of the first quad reach along a direction, where those of the second begin, and the plane
+  // between: through what they share, which is left out of both, else in the middle.
+  struct Sides {
+    double top, bottom, middle;
+  };
+  Sides sides(const Quad& p, const Quad& q, const Vector3& n) const {
+    double top = -std::numeric_limits<double>::infinity(), bottom = -top, sum = 0;
+    int shared = 0;
+    for (const Index v : p) {
+      const double height = n.dot(mesh_.positions[v]);
+      if (has(q, v))
+        sum += height, ++shared;
+      else
+        top = std::max(top, height);
+    }
+    for (const Index v : q) {
+      if (!has(p, v)) bottom = std::min(bottom, n.dot(mesh_.positions[v]));
+    }
+    return {top, bottom, shared == 0 ? 0.5 * (top + bottom) : sum / shared};
+  }
+  // By how much they are on the wrong sides, twice that of the worse one; negative where both are on the right ones.
+  double overlap(const Quad& p, const Quad& q, const Vector3& n) const {
+    const Sides s = sides(p, q, n);
+    return 2 * std::max(s.top - s.middle, s.middle - s.bottom);
   }
 
   // Moves quads that met to both sides of their planes, as far as there is room. Returns whether any moved.
@@ -147,15 +173,16 @@ class GapOpening {
   bool part(const Meeting& meeting) {
     const Quad &p = mesh_.quads[meeting.quads[0]], &q = mesh_.quads[meeting.quads[1]];
     const Vector3& n = meeting.normal;
-    const auto [top, bottom] = extent(p, q, n);
-    if (bottom - top >= meeting.margin) return false;
-    // A little more, so that a sum of small steps ends.
-    const double middle = 0.5 * (top + bottom), half = 0.55 * meeting.margin;
+    const Sides s = sides(p, q, n);
+    if (s.middle - s.top >= 0.5 * meeting.margin && s.bottom - s.middle >= 0.5 * meeting.margin) return false;
+    const double half = 0.55 * meeting.margin;  // a little more, so that a sum of small steps ends
     bool moved = false;
-    for (const Index v : p)
-      moved |= move(v, std::min(0.0, middle - half - n.dot(mesh_.positions[v])) * n);
-    for (const Index v : q)
-      moved |= move(v, std::max(0.0, middle + half - n.dot(mesh_.positions[v])) * n);
+    for (const Index v : p) {
+      if (!has(q, v)) moved |= move(v, std::min(0.0, s.middle - half - n.dot(mesh_.positions[v])) * n);
+    }
+    for (const Index v : q) {
+      if (!has(p, v)) moved |= move(v, std::max(0.0, s.middle + half - n.dot(mesh_.positions[v])) * n);
+    }
     return moved;
   }
 
