@@ -58,7 +58,7 @@ PolycubeSurface surface_of(const PolycubePiece& piece) {
   return {piece.made.map, piece.fine.positions, piece.fine.triangles, &piece.space};
 }
 
-Hexahedra hexahedra_of_cells(const Work& work, HexMethod method) {
+Hexahedra hexahedra_of_cells(const Work& work, HexMethod method, double to_beat = 0) {
   const Options& o = work.options;
   const base::Host& host = work.host;
   work.findings.examined = false;
@@ -95,7 +95,8 @@ Hexahedra hexahedra_of_cells(const Work& work, HexMethod method) {
                                           .rounds = o.rounds,
                                           .distance = o.distance,
                                           .max_cells = o.max_cells,
-                                          .feature_angle = feature_angle_of(o)},
+                                          .feature_angle = feature_angle_of(o),
+                                          .to_beat = to_beat},
                                          host);
   made.method = made.result.grid_based ? Method::grid : Method::polycube;
   made.compute_seconds = seconds_since(start);
@@ -332,8 +333,14 @@ class WithFeatures {
     Options options = work_.options;
     if (near()) options.max_cells = options.cells;  // more cells are for the distance only
     const Work work = {work_.input, options, work_.findings, work_.host, work_.exponent};
+    // Beside a mesh with all of the features one on the polycube counts that has them, too, and those have them at
+    // once.
+    const bool all_kept = near() && keeper_.complete();
     try {
-      take(by_grid_ ? by_strategy(work) : best_of_cells(work, machined, {}), false);
+      take(by_grid_   ? by_strategy(work)
+           : all_kept ? hexahedra_of_cells(work, HexMethod::polycube, least())
+                      : best_of_cells(work, machined, {}),
+           false);
     } catch (const base::Error& error) {
       if (error.must_end() || !best_) throw;
     }

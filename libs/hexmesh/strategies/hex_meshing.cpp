@@ -87,9 +87,9 @@ class Mesher {
       const base::Stage stage(host_, half_of_the_rest);
       excess_ = 0;
       make(cells);
-      if (too_few_across()) make(cells);
+      if (options_.to_beat == 0 && too_few_across()) make(cells);
       // What is near but poor is tried with twice as many cells, once.
-      if (options_.distance == 0 || (near() && (cells > options_.cells || !poor()))) return;
+      if (options_.distance == 0 || options_.to_beat > 0 || (near() && (cells > options_.cells || !poor()))) return;
       if (!refine(refinement)) return;
     }
   }
@@ -181,6 +181,12 @@ class Mesher {
     return (min_near_ > 0 ? min_near_ : least_) > (cells > options_.cells ? good_of_many : good);
   }
 
+  // With the weights of the worst corners raised, a scaled Jacobian is rarely larger by more than a half.
+  bool is_beaten() const {
+    constexpr double most_gained = 1.5;
+    return most_gained * least_ < options_.to_beat;
+  }
+
   // Whether a mesh is valid and as near to the surface as requested, and so much so that there is no need for another.
   struct Nearness {
     bool near = false, by_itself = false;
@@ -199,15 +205,29 @@ class Mesher {
           },
           manner);
       now.follows_sharp_edges = strategy.guide->sharp;
-      return take(std::move(now), &strategy);
+      return take(std::move(now), &strategy, manner);
     } catch (const base::Error& error) {
       tolerate(error);
       return {};
     }
   }
 
+  void log(const HexResult& made, const Strategy* strategy, const HexManner& manner) const {
+    std::string how = strategy == nullptr ? "grid in space" : "polycube";
+    if (strategy != nullptr && strategy->guide->sharp) how += " with sharp edges";
+    if (strategy != nullptr) how += made.padded ? ", padded" : ", not padded";
+    if (manner.hold) how += ", fixed";
+    if (manner.insist) how += ", worst corners first";
+    std::string outcome = what_is_wrong(made.quality);
+    if (made.quality.valid())
+      outcome = "scaled Jacobians at least " + std::to_string(made.quality.min_scaled_jacobian) + ", " +
+                std::to_string(made.distance) + " % away";
+    host_.log(std::to_string(made.mesh.hexahedra.size()) + " hexahedra, " + how + ": " + outcome);
+  }
+
   // Keeps what is better than what there is.
-  Nearness take(HexResult&& now, const Strategy* strategy) {
+  Nearness take(HexResult&& now, const Strategy* strategy, const HexManner& manner) {
+    log(now, strategy, manner);
     if (!now.quality.valid()) {
       reason_ = what_is_wrong(now.quality);
       if (now.quality.positive()) meets_ = reason_;
@@ -262,7 +282,7 @@ class Mesher {
             {.hold = hold});
         now.grid_based = true;
         if (!hold && now.quality.valid()) free_ = {made.first, excess(now, options_.distance)};
-        if (take(std::move(now), nullptr).near) return true;
+        if (take(std::move(now), nullptr, {.hold = hold}).near) return true;
       }
     } catch (const base::Error& error) {
       tolerate(error);
@@ -302,7 +322,8 @@ class Mesher {
       bool near = now.near;
       if (!now.by_itself && distance_counts) near |= attempt(strategy, cells, manner = {.hold = true}).near;
       manner.insist = true;
-      if (near && !done(cells) && !half_spent()) attempt(strategy, cells, manner);
+      if (near && !done(cells) && !half_spent() && !is_beaten()) attempt(strategy, cells, manner);
+      if (options_.to_beat > 0) return;
     }
     // Vertices on the surface itself are less accurate and leave more room.
     for (const Strategy& strategy : strategies_) {

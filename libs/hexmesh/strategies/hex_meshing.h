@@ -26,6 +26,9 @@ struct HexOptions {
   // What of the surface bends by at least the given angle in degrees is followed where the polycube has edges nearby;
   // 0: nothing.
   double feature_angle = 40;
+  // Above 0: the worst scaled Jacobian of what there is. Of the polycube only the first way to fill it is tried, and
+  // only while that may beat it.
+  double to_beat = 0;
 };
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;
