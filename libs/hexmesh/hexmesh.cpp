@@ -13,6 +13,7 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/scale_back.h"
 #include "hexmesh/strategies/hex_pieces.h"
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/search/unit_scale.h"
@@ -369,20 +370,6 @@ class WithFeatures {
   std::optional<Hexahedra> best_;
   double seconds_ = 0;
 };
-
-void scale_back(FeatureFigures& figures, int exponent) {
-  for (MissingFeature& missing : figures.missing) {
-    missing.from = volume_map::times_power_of_two(missing.from, -exponent);
-    missing.to = volume_map::times_power_of_two(missing.to, -exponent);
-  }
-}
-
-void scale_back(HexResult& result, int exponent) {
-  mesh::scale_by_power(result.mesh.positions, -exponent);
-  for (HexPiece& piece : result.pieces)
-    piece.place = volume_map::times_power_of_two(piece.place, -exponent);
-  result.quality.volume = std::ldexp(result.quality.volume, -3 * exponent);
-}
 
 }  // namespace
 

@@ -62,6 +62,12 @@ Index arc_at_fault(const GradedCells& cells, const std::optional<HexResult>& res
   return nearest_arc(cells.shape(), cells.unit() * result->quality.first_intersection);
 }
 
+// Pairs of quads that intersect where walls of a gap went through each other: smaller cells along an arc do not help.
+bool closes_a_gap(const std::optional<HexResult>& result) {
+  constexpr std::size_t at_an_arc = 100;
+  return result && result->quality.positive() && result->quality.intersections > at_an_arc;
+}
+
 std::string why_not(const std::optional<HexResult>& result) {
   return result ? what_is_wrong(result->quality) : "the cells along the arcs do not untangle";
 }
@@ -79,7 +85,9 @@ HexResult result_of(const GradedCells& cells, std::size_t off_surface, std::span
     measure_embedding(made.mesh.positions, made.mesh.quads, made.quality, host);
   };
   measure_quality();
-  if (made.quality.positive() && made.quality.intersections > 0 && open_gaps(made.mesh, host)) measure_quality();
+  constexpr std::size_t few = 1000;  // pairs of quads: with more, whole walls went through each other
+  const std::size_t meetings = made.quality.positive() ? made.quality.intersections : 0;
+  if (meetings > 0 && meetings <= few && open_gaps(made.mesh, host)) measure_quality();
   const HexFigures figures = figures_of(made.mesh.positions, made.mesh.hexahedra, positions, triangles, host);
   made.distance = figures.distance;
   made.volume_error = figures.volume_error;
@@ -247,7 +255,8 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     if (!fitted || !fitted->quality.valid()) {
       const std::array fault = {FeatureObstacle{no_index, arc_at_fault(cells, fitted), why_not(fitted)}};
       missed(fault);
-      if (options.once && !made.found) break;
+      if (closes_a_gap(fitted)) made.arcs_in_the_way.clear();
+      if (closes_a_gap(fitted) || (options.once && !made.found)) break;
       search.refine_at(fault, finer);
       refused = size;
       continue;
