@@ -280,11 +280,15 @@ TEST_CASE("Cells become smaller where a patch bends between its arcs") {
   FeatureHexOptions options;
   options.cells = 400;
   options.max_cells = 1500;
-  options.distance = 2;
+  options.distance = 100;
   options.once = true;
   const FeatureHexes first = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
   REQUIRE(first.found);
+  options.distance = 2;
   CHECK(first.result.distance > options.distance);
+  const FeatureHexes corrected = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
+  REQUIRE(corrected.found);
+  CHECK(corrected.result.distance <= options.distance);
   options.once = false;
   const FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph, options, host);
   REQUIRE(made.found);
