@@ -244,7 +244,7 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
       ->type_name("METHOD");
   verb.add_option("--rounds", options.rounds,
                   "maximum number of rounds that optimize proportions and corners in turn: of --method dissertation, "
-                  "where 0 is the initial map [default: 10], and of --optimize corners and all [default: 6]")
+                  "where 0 is the initial map [default: 40], and of --optimize corners and all [default: 6]")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
   verb.add_option("--measure", options.measure,

@@ -158,7 +158,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                    "1."),
         Option("rounds", "int", 10, low=0, high=4294967295,
                doc="of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and "
-                   "corner points; 0: the initial map. Default: 10."),
+                   "corner points; 0: the initial map. Default: 40."),
     ),
     "obc_polycube_domain_options": (
         Option("measure", "word", "surface-mean", words={"surface-mean": 0, "face-mean": 1, "harmonic": 2},

@@ -85,7 +85,7 @@ typedef struct obc_polycube_options {
   uint64_t seed;        /* seed of random choices of LABELS. Default: 0. */
   double area_weight;   /* of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: 1. */
   uint32_t rounds;      /* of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and corner
-                           points; 0: the initial map. Default: 10. */
+                           points; 0: the initial map. Default: 40. */
 } obc_polycube_options;
 
 /* Fills options with the defaults. */

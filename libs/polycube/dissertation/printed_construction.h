@@ -14,7 +14,7 @@ struct PrintedOptions {
   std::size_t corner_points =
       0;                   // n of Algorithm 3: maximum number of vertices of rectangles; 0: default_corner_points
   double area_weight = 1;  // alpha of eq. 4.4
-  int max_rounds = 10;     // of Algorithm 3; 0: the initial map
+  int max_rounds = 40;     // of Algorithm 3; 0: the initial map
 };
 
 // The largest number in the dissertation's Table 4.2.

@@ -84,7 +84,7 @@ pub struct obc_polycube_options {
     /// of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: 1.
     pub area_weight: f64,
     /// of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and corner
-    /// points; 0: the initial map. Default: 10.
+    /// points; 0: the initial map. Default: 40.
     pub rounds: u32,
 }
 
