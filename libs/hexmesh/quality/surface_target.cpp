@@ -173,11 +173,12 @@ TargetPoint SurfaceTarget::on(const Part& part, const Vector3& p, const Vector3&
 }
 
 double SurfaceTarget::gap(const TargetPoint& at, double far) const {
-  const mesh::SurfacePoint found = whole_.search->nearest_of(at.position, [&](Index i) {
+  const auto is_other_wall = [&](Index i) {
     if (flat_normals_[i].dot(at.normal) > opposite) return false;
     const mesh::Triangle& t = triangles_[i];
     return std::any_of(t.begin(), t.end(), [&](Index v) { return (positions_[v] - at.position).dot(at.normal) > 0; });
-  });
+  };
+  const mesh::SurfacePoint found = whole_.search->nearest_of(at.position, is_other_wall, far);
   return found.triangle == no_index ? far : std::min(far, found.distance);
 }
 

@@ -56,17 +56,18 @@ class SurfaceSearch {
   // The nearest point of the surface, in the lowest of the triangles that have it. O(log n) on average. Of a triangle
   // that may be near, as one of a nearby point's, less is looked at.
   SurfacePoint nearest(const Vector3& p, Index may_be_near = no_index) const;
-  // The same among triangles with accept(triangle) only.
+  // The same among triangles with accept(triangle) only, and none beyond `limit`.
   template <class Accept>
-  SurfacePoint nearest_of(const Vector3& p, const Accept& accept) const {
-    double least = std::numeric_limits<double>::infinity();
+  SurfacePoint nearest_of(const Vector3& p, const Accept& accept,
+                          double limit = std::numeric_limits<double>::infinity()) const {
+    double least = limit * limit;
     const auto distance = [&](Index t) {
       if (box_of(t).squared_distance(p) > least || !accept(t)) return std::numeric_limits<double>::infinity();
       const double d = squared_distance(t, p);
       least = std::min(least, d);
       return d;
     };
-    return point_of(tree_.nearest(p, distance), p);
+    return point_of(tree_.nearest(p, distance, {no_index, limit * limit}), p);
   }
   // How far a triangle is.
   double distance(Index triangle, const Vector3& p) const { return std::sqrt(squared_distance(triangle, p)); }
