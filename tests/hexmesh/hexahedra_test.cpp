@@ -19,6 +19,41 @@ using namespace orbicube::hexmesh;
 using namespace orbicube::volume_map;
 using volume_map::test::BlockSolid;
 
+TEST_CASE(
+    "Beside a mesh to beat the first way to fill the polycube is tried, and its worst corners only where it may win") {
+  BlockSolid block(volume_map::test::angle, 3, 1.3, 0.8);
+  REQUIRE(block.certificate == "");
+  struct Attempts {
+    std::size_t all = 0, worst_first = 0;
+    double least = 0;
+  };
+  const auto attempts = [&](double to_beat) {
+    Attempts seen;
+    base::Host host;
+    host.on_log = [&](const std::string& line) {
+      if (line.find(" hexahedra, polycube") == std::string::npos) return;
+      ++seen.all;
+      seen.worst_first += line.find("worst corners first") != std::string::npos ? 1U : 0U;
+    };
+    const HexOptions options = {.method = HexMethod::polycube,
+                                .cells = 150,
+                                .rounds = 10,
+                                .distance = 20,
+                                .max_cells = 150,
+                                .to_beat = to_beat};
+    const HexResult made = make_hexahedra({block.map}, options, host);
+    CHECK(made.quality.valid());
+    seen.least = made.quality.min_scaled_jacobian;
+    return seen;
+  };
+  const Attempts all = attempts(0), beaten = attempts(1), may_win = attempts(0.1);
+  CHECK(all.all > 1);
+  CHECK(beaten.all == 1);
+  CHECK(may_win.all == 1 + may_win.worst_first);
+  CHECK(may_win.least >= beaten.least);
+  CHECK(all.least >= may_win.least);
+}
+
 TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same for any number of threads") {
   BlockSolid block(volume_map::test::angle, 3, 0.8, 0.4);
   block.cut(7);
