@@ -214,7 +214,7 @@ TEST_CASE("The dissertation's method makes a certified map of a box, and its cor
   check_every_end([&](const obc_host& host) { return obc_polycube_corner_points(map, &host, &count, nullptr); });
   obc_polycube_destroy(map);
   CHECK(options.area_weight == 1);
-  CHECK(options.rounds == 10);
+  CHECK(options.rounds == 40);
   for (const std::uint32_t rounds : {0u, std::numeric_limits<std::uint32_t>::max()}) {
     options.rounds = rounds;
     REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
