@@ -156,7 +156,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("area_weight", "float", 1.0,
                doc="of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: "
                    "1."),
-        Option("rounds", "int", 10, low=0, high=4294967295,
+        Option("rounds", "int", 40, low=0, high=4294967295,
                doc="of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and "
                    "corner points; 0: the initial map. Default: 40."),
     ),

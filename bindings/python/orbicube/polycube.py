@@ -248,7 +248,7 @@ def _domain(given: Mapping[str, Any]) -> Any:
 def compute(surface: Any, *,
             # options of obc_polycube_options, written by scripts/bindings.py
             construction: Literal["auto", "labels", "voxels", "dissertation"] = "auto", corners: int = 0, seed: int = 0,
-            area_weight: float = 1.0, rounds: int = 10,
+            area_weight: float = 1.0, rounds: int = 40,
             # end of options
             progress: Progress = None, threads: int = 0) -> Polycube:
     """A polycube of a closed surface of any genus, and a map to it."""
@@ -317,7 +317,7 @@ class _Handles:
 def compute_common(surfaces: Sequence[Any], *,
                    # options of obc_polycube_options, written by scripts/bindings.py
                    construction: Literal["auto", "labels", "voxels", "dissertation"] = "auto", corners: int = 0,
-                   seed: int = 0, area_weight: float = 1.0, rounds: int = 10,
+                   seed: int = 0, area_weight: float = 1.0, rounds: int = 40,
                    # end of options
                    domain: Optional[Mapping[str, Any]] = None, progress: Progress = None, threads: int = 0) -> tuple[list[Polycube], int]:
     """One polycube for several shapes: a map each, and the number of the shape that it was made for. domain: options of
