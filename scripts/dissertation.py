@@ -487,8 +487,10 @@ class Runner:
             # Several rows read the report of one command on a model; commands that follow need its files, too.
             if row.model and len(row.commands) == 1 and row.commands[0] not in self.known:
                 self.known[row.commands[0]] = self.run(row.commands[0])
-            alone = len(row.commands) == 1
-            reports = [alone and self.known.get(command) or self.run(command) for command in row.commands]
+            if len(row.commands) == 1 and row.commands[0] in self.known:
+                reports = [self.known[row.commands[0]]]
+            else:
+                reports = [self.run(command) for command in row.commands]
         except subprocess.TimeoutExpired as error:
             return f"failed: not done after {self.timeout} s: {shlex.join(map(os.path.basename, error.cmd[:2]))}"
         except subprocess.CalledProcessError as error:

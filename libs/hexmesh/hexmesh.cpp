@@ -334,8 +334,8 @@ class WithFeatures {
     Options options = work_.options;
     if (near()) options.max_cells = options.cells;  // more cells are for the distance only
     const Work work = {work_.input, options, work_.findings, work_.host, work_.exponent};
-    // Beside a mesh with all of the features one on the polycube counts that has them, too, and those have them at
-    // once.
+    // A mesh on the polycube replaces one with all features only if it has them all, too. The first way to fill the
+    // polycube follows sharp edges where any does; grids in space do not follow them.
     const bool all_kept = near() && keeper_.complete();
     try {
       take(by_grid_   ? by_strategy(work)
@@ -344,6 +344,7 @@ class WithFeatures {
            false);
     } catch (const base::Error& error) {
       if (error.must_end() || !best_) throw;
+      work_.host.log(std::string("no other hexahedra: ") + error.what());
     }
     work_.findings.examined = true;
   }
