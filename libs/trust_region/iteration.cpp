@@ -13,6 +13,8 @@ namespace {
 
 // The part of the predicted change by which f must fall for a step to count as a success.
 constexpr double enough = 0.05;
+// The part below which a step says that the model's Hessian may be wrong (Powell 2006, section 8).
+constexpr double poor = 0.01;
 // Resolutions fall to this part of themselves, where Powell has a tenth; more slowly for a scalar f whose set of points
 // grows, since it takes these evaluations to know the Hessian.
 constexpr double decay = 0.15, decay_growing = 0.2;
@@ -167,6 +169,7 @@ Request Solver::take_trial() {
     if (state_.radius <= 1.5 * resolution) state_.radius = resolution;
   }
   if (!failed) include(interpolation_.size(), state_.told_value);
+  if (!failed && state_.spoiled == 0) models_.doubt_memory(interpolation_, ratio <= poor);
   if (std::abs(before - state_.told_value) <= 2 * slack && at_noise_level())
     return restart_or_finish(Stop::noise_limit);
   if (ratio >= enough) {

@@ -77,6 +77,7 @@ void Models::move(std::size_t from, std::size_t to) {
 
 void Models::forget() {
   measured_ = false;
+  doubts_ = 0;
   std::fill(remembering_.hessian.begin(), remembering_.hessian.end(), 0.0);
   std::fill(remembering_.gradient.begin(), remembering_.gradient.end(), 0.0);
   std::fill(errors_.begin(), errors_.end(), 0.0);
@@ -229,6 +230,34 @@ void Models::judge(const double* d, const double* outputs, std::size_t best) {
     }
     errors_[k] = 0.5 * errors_[k] + sum / (square + 1e-300);
   }
+}
+
+// Powell 2006, section 8: a Hessian of values far away, as of steps that were much too long, is forgotten where the
+// gradient of the interpolant without it is a tenth of the model's, three times in a row.
+void Models::doubt_memory(const Interpolation& interpolation, bool poor) {
+  constexpr double times_smaller = 10;
+  constexpr std::uint64_t enough = 3;
+  if (of_residuals_ || stale_ != 0) return;
+  if (!poor) {
+    doubts_ = 0;
+    return;
+  }
+  const double *gradient = afresh_.gradient.data(), *hessian = afresh_.hessian.data();
+  if (!two_families_) {
+    for (std::size_t j = 0; j < interpolation.size(); ++j)
+      values_[j] = row(j)[0];
+    interpolation.interpolant(values_.data(), lagrange_gradient_.data(), lagrange_hessian_.data(), work_.data());
+    gradient = lagrange_gradient_.data();
+    hessian = lagrange_hessian_.data();
+  }
+  if (!(norm(remembering_.gradient.data(), n_) >= times_smaller * norm(gradient, n_))) {
+    doubts_ = 0;
+    return;
+  }
+  if (++doubts_ < enough) return;
+  doubts_ = 0;
+  std::copy_n(gradient, n_, remembering_.gradient.data());
+  std::copy_n(hessian, n_ * n_, remembering_.hessian.data());
 }
 
 void Models::predict(const Family& family, const double* d, double* change) const {

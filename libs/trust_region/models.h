@@ -42,6 +42,9 @@ class Models {
   void expect(const double* d, const double* outputs, std::size_t best);
   // After it was included as point j.
   void learn(const Interpolation& interpolation, std::size_t j);
+  // After a step of a scalar f: where poor ones say so several times in a row, the remembering family becomes the
+  // interpolant without memory.
+  void doubt_memory(const Interpolation& interpolation, bool poor);
   // Whether the family without memory must be made afresh, because rounding would have spoiled it.
   bool stale() const { return stale_ != 0; }
   // The best point moves by d, that of the last expect().
@@ -68,6 +71,7 @@ class Models {
                         &self.afresh_.gradient, &self.afresh_.hessian, &self.errors_})
       visit(std::span(*array));
     visit(std::span(&self.stale_, 1));
+    visit(std::span(&self.doubts_, 1));
   }
 
  private:
@@ -88,6 +92,7 @@ class Models {
   Family remembering_, afresh_;
   base::Array<double> errors_;  // of the predictions of both families, decaying
   std::uint64_t stale_ = 0;
+  std::uint64_t doubts_ = 0;  // poor steps in a row that speak against the memory
   base::Array<double> lagrange_gradient_, lagrange_hessian_, work_, values_, change_;
   base::Array<double> surprise_, surprise_afresh_;  // outputs each, from expect() to learn()
   // Of residuals. What change_ and slopes_ (outputs x n, H_i d) are of, while measured_ says so; weights of the
