@@ -13,6 +13,7 @@
 #include "volume_map/frames/frame_energy.h"
 #include "volume_map/sampling/point_location.h"
 #include "volume_map/solid/boundary_refinement.h"
+#include "volume_map/solid/harmonic_start.h"
 #include "volume_map/solid/solid_map.h"
 
 namespace orbicube::volume_map {
@@ -293,7 +294,6 @@ VolumeMap map_to_polycube_by_frames(const PolycubeSolid& solid, std::span<const 
   const auto start = [&](const SolidMap& map, std::span<const std::uint8_t> held, std::span<Vector3> image) {
     named = frames_at(solid, frames, map.source, map.tetrahedra, host);
     name_by_gradients(map.source, image, map.tetrahedra, map.scale, named, host);
-    figures.harmonic_energy = energy_of(map, image);
     minimize(map.source, map.tetrahedra, named, map.scale, held, image, host);
     figures.mismatched_faces = count_mismatches(map.source, map.tetrahedra, named, host);
   };
@@ -305,6 +305,9 @@ VolumeMap map_to_polycube_by_frames(const PolycubeSolid& solid, std::span<const 
   Array<Vector3> best(map.image, host.memory);
   minimize(map.source, map.tetrahedra, named, map.scale, held, best, host);
   figures.minimum_energy = energy_of(map, best);
+  Array<Vector3> harmonic(map.image, host.memory);
+  make_harmonic(untangle::elements_of(map.tetrahedra, map.source, map.scale, host), held, harmonic, host, engine);
+  figures.harmonic_energy = energy_of(map, harmonic);
   go_towards(map, best, map.image, host);
   PositiveDescent(map, named, host).run(max_sweeps, held, map.image);
   figures.energy = energy_of(map, map.image);

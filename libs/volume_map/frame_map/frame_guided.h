@@ -13,7 +13,7 @@ struct GuidedFigures {
   double minimum_energy = 0;         // with the boundary of the map, where tetrahedra may be inverted
   double energy = 0;                 // of the map
   std::size_t mismatched_faces = 0;  // inner faces across which the frames match by another rotation than the identity
-  double harmonic_energy = 0;        // of the map by harmonic coordinates, to compare with
+  double harmonic_energy = 0;        // of harmonic coordinates with the boundary of the map, to compare with
 };
 
 // `frames` has one unit a tetrahedron of the solid; those of the parts of one that is cut are its own. Each frame is
