@@ -42,6 +42,9 @@ void refuse_unused_sphere_options(const CLI::App& verb) {
   refuse_without(verb, "--grid", {"--remesh"});
   refuse_without(verb, "--image-grid", {"--image"});
   const std::string method = given_or(verb, "--method", "balanced");
+  for (const char* weight : {"--angle-weight", "--area-weight"})
+    refuse_if(verb.count(weight) > 0 && (method == "stretch" || method == "isometric" || method == "conformal"), weight,
+              "the methods balanced, angle-area and dissertation");
   if (method == "dissertation" || method == "seed") return;
   for (const char* option :
        {"--level-splits", "--level-tolerance", "--final-tolerance", "--max-level-iterations", "--max-final-iterations"})
@@ -148,6 +151,17 @@ void refuse_unused_morph_options(const CLI::App& verb) {
 
 void refuse_unused_hex_options(const CLI::App& verb) {
   refuse_without(verb, "--cut", {"--glb"});
+  const std::string method = given_or(verb, "--method", "auto");
+  const bool follows_frames = method == "frames" || (method == "auto" && verb.count("--frames") > 0),
+             has_features = given_or(verb, "--features", "machined") != "off",
+             is_near = verb.count("--distance") == 0 || verb.get_option("--distance")->as<double>() > 0;
+  refuse_if(verb.count("--frames") > 0 && !follows_frames, "--frames", "--method frames");
+  refuse_if(verb.count("--padding") > 0 && follows_frames, "--padding", "polycubes and grids, without frames");
+  refuse_if(verb.count("--corners") > 0 && (follows_frames || method == "grid"), "--corners", "--method polycube");
+  refuse_if(verb.count("--max-cells") > 0 && !is_near && !has_features, "--max-cells",
+            "a positive --distance and for --features");
+  refuse_if(verb.count("--feature-angle") > 0 && !has_features && (method == "polycube" || method == "grid"),
+            "--feature-angle", "--features and --method frames");
 }
 
 void refuse_unused_tetrahedralize_options(const CLI::App& verb) {

@@ -14,6 +14,7 @@ class UnusedOptions(InFolder):
         glb, coefficients = self.path("out.glb"), self.path("out.sh")
         harmonics = ("harmonics", shape, "--sphere", shape, "--degree", 2, "-o", coefficients)
         morph = ("morph", shape, shape, "-o", glb)
+        hexes = ("hex", shape, "-o", self.path("out.mesh"))
         for command, named in ((("sphere", shape, "-o", out, "--grid", "icosphere:3"), "--grid is for --remesh"),
                                (("sphere", shape, "-o", out, "--image-grid", "cube:9"), "--image-grid is for --image"),
                                (("polycube", shape, "-o", out, "--cells", 50), "--cells is for --quads"),
@@ -25,7 +26,17 @@ class UnusedOptions(InFolder):
                                ((*morph, "--polycube", "--align", "none"), "--align is for spheres without landmarks"),
                                ((*morph, "--polycube", "--tolerance", 1), "--tolerance is for --grid both"),
                                ((*morph, "--grid", "first", "--tolerance", 1), "--tolerance is for --grid both"),
-                               (("hex", shape, "-o", self.path("out.mesh"), "--cut", "half"), "--cut is for --glb"),
+                               *((("sphere", shape, "-o", out, "--method", method, weight, 2), f"{weight} is for the methods balanced, angle-area and")
+                                 for method in ("stretch", "isometric", "conformal") for weight in ("--angle-weight", "--area-weight")),
+                               ((*hexes, "--cut", "half"), "--cut is for --glb"),
+                               ((*hexes, "--method", "grid", "--frames", shape), "--frames is for --method frames"),
+                               ((*hexes, "--method", "polycube", "--frames", shape), "--frames is for --method frames"),
+                               ((*hexes, "--frames", shape, "--padding", "with"), "--padding is for polycubes and grids"),
+                               ((*hexes, "--method", "frames", "--padding", "with"), "--padding is for polycubes and grids"),
+                               ((*hexes, "--method", "frames", "--corners", 8), "--corners is for --method polycube"),
+                               ((*hexes, "--method", "grid", "--corners", 8), "--corners is for --method polycube"),
+                               ((*hexes, "--distance", 0, "--features", "off", "--max-cells", 9), "--max-cells is for a positive --distance"),
+                               ((*hexes, "--features", "off", "--method", "grid", "--feature-angle", 9), "--feature-angle is for --features"),
                                (("tetrahedralize", shape, "-o", self.path("out.mesh"), "--growth", 0.2), "--growth is for --sizing")):
             done = run(*command)
             if "has no verb" in done.stderr or "not expected" in done.stderr:  # left out of this build
