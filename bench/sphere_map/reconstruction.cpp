@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "baselines.h"
 #include "harmonics/fitting/fit.h"
 #include "mesh/search/distances.h"
 #include "mesh/search/vertex_measures.h"
@@ -26,8 +27,10 @@ namespace {
 
 constexpr std::string_view names[] = {"bunny", "venus", "cow", "horse", "armadillo"};
 constexpr std::uint32_t bands[] = {6, 16, 32};
-constexpr std::pair<const char*, Method> methods[] = {
-    {"dissertation", Method::dissertation}, {"balanced", Method::balanced}, {"stretch", Method::stretch}};
+constexpr std::pair<const char*, Method> methods[] = {{"dissertation", Method::dissertation},
+                                                      {"balanced", Method::balanced},
+                                                      {"stretch", Method::stretch},
+                                                      {"conformal", Method::conformal}};
 
 void scale_to_unit_sphere_area(mesh::Mesh& surface) {
   double area = 0;
@@ -40,11 +43,9 @@ void scale_to_unit_sphere_area(mesh::Mesh& surface) {
     position *= scale;
 }
 
-void measure(const bench::Model& model, const mesh::Mesh& surface, const char* name, Method method) {
+void measure(const bench::Model& model, const mesh::Mesh& surface, const char* name,
+             std::span<const mesh::Vector3> directions) {
   const base::Host host;
-  sphere_map::Options options;
-  options.method = method;
-  const auto directions = sphere_map::compute(surface.positions, surface.triangles, options, host);
   const auto weights = mesh::vertex_areas(surface.positions, surface.triangles, host);
   const std::span<const double> values(surface.positions.front().data(), 3 * surface.positions.size());
   for (const std::uint32_t band_count : bands) {
@@ -75,8 +76,13 @@ int main(int argc, char** argv) {
       ++found;
       mesh::Mesh surface = bench::read_model(folder, model, 0);
       scale_to_unit_sphere_area(surface);
-      for (const auto& [name, method] : methods)
-        measure(model, surface, name, method);
+      for (const auto& [name, method] : methods) {
+        sphere_map::Options options;
+        options.method = method;
+        measure(model, surface, name, sphere_map::compute(surface.positions, surface.triangles, options, base::Host()));
+      }
+      measure(model, surface, "harmonic", bench::harmonic_baseline(surface, base::Host()));
+      measure(model, surface, "curvilinear", bench::curvilinear_baseline(surface, base::Host()));
     }
   }
   if (found == 0) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "baselines.h"
 #include "measured_run.h"
 #include "sphere_map/dissertation/method.h"
 #include "sphere_map/hierarchy/normalize.h"
@@ -77,6 +78,14 @@ int main(int argc, char** argv) {
     };
     with("balanced", sphere_map::Method::balanced);
     with("angle-area", sphere_map::Method::angle_area);
+    if (!model.with_baselines) continue;
+    with("conformal", sphere_map::Method::conformal);
+    print(model, "harmonic", bench::measured_run(surface, [&](const base::Host& host) {
+            return bench::harmonic_baseline(surface, host);
+          }));
+    print(model, "curvilinear", bench::measured_run(surface, [&](const base::Host& host) {
+            return bench::curvilinear_baseline(surface, host);
+          }));
   }
   if (found == 0) {
     std::fprintf(stderr, "%s has none of the models\n", folder.c_str());

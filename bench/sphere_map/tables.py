@@ -21,6 +21,10 @@ from programs import measured, processor  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 METHODS = ("dissertation", "balanced", "angle-area")
+# Columns of Tables 3.1 to 3.3: the head, and the printed method or ours.
+COLUMNS = (("harmonic [3]", 0), ("harmonic, here", "harmonic"), ("our `conformal`", "conformal"), ("curvilinear [1]", 1),
+           ("curvilinear, here", "curvilinear"), ("Praun-Hoppe [2]", 2), ("dissertation", 3),
+           *((f"our `{method}`", method) for method in METHODS))
 
 # As printed: harmonic [3], curvilinear [1], Praun and Hoppe [2], the dissertation's own; rows as in the text.
 DISTORTION = {
@@ -85,20 +89,19 @@ def read_maps(text):
 
 def distortion_table(number, maps):
     model, title, printed = DISTORTION[number]
-    ours = [maps[model, method] for method in METHODS]
-    lines = [f"### Table {number}: {title}", "",
-             "| | harmonic [3] | curvilinear [1] | Praun-Hoppe [2] | dissertation | our `dissertation` | our `balanced` | "
-             "our `angle-area` |", "|---|---|---|---|---|---|---|---|",
-             "| vertices | | | | | " + " | ".join(f"{o['vertices']:.0f}" for o in ours) + " |"]
+    lines = [f"### Table {number}: {title}", "", "| | " + " | ".join(head for head, _ in COLUMNS) + " |",
+             "|---" * (len(COLUMNS) + 1) + "|",
+             "| vertices | " + " | ".join(f"{maps[model, c]['vertices']:.0f}" if isinstance(c, str) else "" for _, c in COLUMNS) + " |"]
     total = tuple(0.1 * d + a for d, a in zip(printed["E_D"], printed["E_A"]))
     rows = (("flipped triangles", "flips", "{:.0f}", printed["flips"]), ("E_D", "E_D", "{:.2f}", printed["E_D"]),
             ("E_A", "E_A", "{:.2f}", printed["E_A"]), ("0.1 E_D + E_A", "E", "{:.2f}", total),
             ("maximum quasi-conformal distortion", "quasi_conformal", "{:.3g}", ("",) * 4),
             ("CPU seconds", "seconds", "{:.1f}", printed["seconds"]))
     for name, key, form, values in rows:
-        cells = [value if value == "" else f"{value:.2f}" if key in ("E_D", "E_A", "E") else f"{value:g}"
-                 for value in values]
-        lines.append(f"| {name} | " + " | ".join(cells + [form.format(o[key]) for o in ours]) + " |")
+        own = "{:.2f}" if key in ("E_D", "E_A", "E") else "{:g}"
+        cells = [form.format(maps[model, c][key]) if isinstance(c, str) else "" if values[c] == "" else own.format(values[c])
+                 for _, c in COLUMNS]
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
 
 
@@ -125,13 +128,14 @@ def reconstruction_table(text):
         name, method, count, bands, error, *_ = line.split("\t")
         errors[name, method, int(bands)] = float(error)
         vertices[name] = int(count)
-    lines = ["| model | vertices here | bands | harmonic [3] | curvilinear [1] | dissertation | our `dissertation` | our `balanced` | "
-             "our `stretch` |", "|---|---|---|---|---|---|---|---|---|"]
+    heads = ("model", "vertices here", "bands", "harmonic [3]", "harmonic, here", "our `conformal`", "curvilinear [1]", "curvilinear, here",
+             "dissertation", "our `dissertation`", "our `balanced`", "our `stretch`")
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
     for title, model, rows in RECONSTRUCTION:
         for i, (bands, *printed) in enumerate(rows):
             cells = [title if i == 0 else "", str(vertices[model]) if i == 0 else "", str(bands)]
-            cells += [f"{value:.4f}" for value in printed]
-            cells += [f"{errors[model, method, bands]:.4f}" for method in ("dissertation", "balanced", "stretch")]
+            cells += [f"{c:.4f}" if isinstance(c, float) else f"{errors[model, c, bands]:.4f}" for c in (
+                printed[0], "harmonic", "conformal", printed[1], "curvilinear", printed[2], "dissertation", "balanced", "stretch")]
             lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
 
@@ -189,6 +193,10 @@ times are of an AMD Athlon X2 at 2.9 GHz, ours of one core of: {processor()}.
 
 `dissertation` is chapter 3 as printed, corrected only where it would fail: [corrections](sphere_map.md#the-dissertations-method). `balanced` is
 the default; `angle-area` minimizes the same energy as `dissertation` with the methods of this library.
+
+*Here* are baselines of the bench (`bench/sphere_map/baselines.h`), which prevent no flips: the harmonic map by its flow, and a map after the curvilinear one by
+quasi-harmonic latitude and longitude, whose details are not the published ones. `conformal` is this library's map of minimum E_D that flips nothing. Praun and Hoppe's program is not
+available: figures of its maps elsewhere in these pages were measured once, and are frozen in the benches.
 
 ## Which model stands for which
 
