@@ -62,8 +62,10 @@ def main():
         text += row(orbicube, models, figure, model)
         print(text.splitlines()[-1], flush=True)
     if "--write" in sys.argv:
+        with open(PAGE, encoding="utf-8") as file:
+            guided = "".join(file.read().partition("\n## Maps that frames guide")[1:])  # written by guided.py
         with open(PAGE, "w", encoding="utf-8") as file:
-            file.write(text)
+            file.write(text + guided)
 
 
 main()
