@@ -22,7 +22,7 @@ PARTS = {
     "Guides": ["guide_solvers", "guide_shapes", "guide_engines", "finite_elements"],
     "The command": ["command", "file_formats", "mesh_formats", "error_kinds"],
     "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "linear_tables", "harmonics", "harmonics_figures",
-                  "mesh", "gltf", "repair", "repair_figures", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_uses",
+                  "mesh", "gltf", "repair", "repair_figures", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_figures", "sphere_map_uses",
                   "tetrahedra", "untangle", "untangle_tables", "polycube", "polycube_tables", "polycube_figures", "correspondence", "study", "study_figures", "volume_map", "volume_map_figures",
                   "hexmesh"],
     "Languages": ["cpp", "python", "rust", "julia", "javascript"],
