@@ -144,16 +144,22 @@ CHAPTER_5 = [
     test("Eq. 5.2", "gradients: of a bar along its frames they are the frames", "volume-map", "a bar along its frames*"),
     Row("Eq. 5.3", "energy: `energy`, times the volume", FRAMED + " && orbicube parameterize solid.mesh -o map.vtk --frames f.frames",
         true("below that of a constant map, 3", lambda r: 0 < r["energy"] < 3)),
-    *(test(f"Eq. 5.{k}", "gradient of one coordinate: derivative of the energy against differences", "volume-map",
-           "the energy of eq. 5.3*") for k in (4, 5, 6)),
+    *(test(f"Eq. 5.{k}", "gradient of one coordinate by areas and normals of faces", "volume-map", "gradients by areas and normals*")
+      for k in (4, 5, 6)),
     constraints("Eq. 5.7", "transitions: `rotation` and `gap` in the file, `residual`"),
     *(constraints(f"Eq. 5.{k}", "the same at a corner of a face") for k in (8, 9, 10)),
     test("Eq. 5.11", "around singular edges", "volume-map", "transitions across faces and around singular edges*"),
     constraints("Section 5.1", "with integer gaps", " --integer"),
+    Row("Section 5.1", "the rod along a field that is computed for it", "orbicube parameterize rod.mesh -o map.vtk",
+        true("constraints to rounding", lambda r: r["residual"] < 1e-12), model=True),
     Row("Section 5.2", "boundary positions of a polycube, identity transitions, and frames inside",
         FRAMED + " && orbicube volume solid.mesh -o image.mesh --frames f.frames",
         true("the energy is at least the minimum with its boundary",
              lambda r: r["frames"]["energy"] >= r["frames"]["minimum_energy"] * (1 - 1e-9))),
+    Row("Section 5.2", "the same of a ball; eleven solids are in [figures](volume_map_figures.md#maps-that-frames-guide)",
+        "orbicube frames ball.mesh -o f.frames && orbicube volume ball.mesh -o image.mesh --frames f.frames",
+        true("the minimum is below the energies of the map and of harmonic coordinates with its boundary",
+             lambda r: r["frames"]["minimum_energy"] <= min(r["frames"]["energy"], r["frames"]["harmonic_energy"])), model=True),
     resampled("5.1", "rocker-arm.obj"),
     resampled("5.2a", "bumpy-torus.off"),
     resampled("5.2b", "three-torus.off"),
@@ -216,6 +222,8 @@ SECTION_4_5 = [
          "The map of a shape to itself is the identity*"),
     Row("Section 4.5", "the same for the vertices of a shape", TWO + "orbicube map a.obj b.obj --via polycube -o on-b.obj --table points.csv",
         true("a point for each vertex", lambda r: r["points"] == r["vertices"])),
+    Row("Section 4.5", "horse on cow: no triangle of the overlay is flipped", "orbicube map horse.ply cow.off --via polycube -o on-cow.ply",
+        true("none is flipped, by exact signs", lambda r: r["flipped"] == 0), model=True),
     Row("Section 4.5", "maps of one shape with a polycube's corners and proportions in turn",
         TWO + "orbicube polycube a.obj -o p.obj --domain p.json && orbicube polycube a.obj b.obj -o q.obj --from p.json --optimize all "
         "--corner-search gradient",
@@ -259,10 +267,11 @@ def table_4_2(model, corners, result):
 
 CHAPTER_4 = [
     polycube_case("Eq. 4.1", "harmonic maps of rectangles, cotangent weights", "Harmonic maps of a box*"),
-    *(polycube_case(f"Eq. 4.{k}", what, "The derivative of the energy of proportions*")
+    *(polycube_case(f"Eq. 4.{k}", what, "Energies of rectangles are eqs. 4.2 to 4.4*")
       for k, what in ((2, "harmonic energy of one coordinate, over the rectangles"), (3, "area term"), (4, "their sum with the weight alpha"),
                       (5, "energy of a coordinate by the proportions beta"), (6, "the same by alpha and beta"), (7, "area term by alpha and beta"),
-                      (8, "their sum, whose derivative is that of differences"))),
+                      (8, "their sum"))),
+    polycube_case("Eq. 4.8", "derivative of the sum, against differences", "The derivative of the energy of proportions*"),
     polycube_case("Eq. 4.9", "constraints of the proportions: the area stays", "Optimal proportions keep the area*"),
     optimized_domain("Eq. 4.10", "minimization with bounds and rows, by projected gradients"),
     test("Eq. 4.11", "steps along projected directions, to known minima", "projected-gradient", "Hock and Schittkowski*"),

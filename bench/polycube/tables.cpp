@@ -40,24 +40,33 @@ void measure(const std::string& file, std::size_t corners, const base::Host& hos
   }
 }
 
-// The dissertation's method on the same surface, or why it has no map.
+// The dissertation's method on the same surface for each weight of areas, or why it has no map.
 void measure_as_printed(const std::string& file, std::size_t corners, const base::Host& host) {
   const std::string name = stem_of(file);
   mesh::Mesh surface = mesh::read_mesh(file, {}, host);
   mesh::orient(surface.positions, surface.triangles, host);
-  const double start = cpu_seconds();
-  try {
-    const BestConstruction best =
-        construct(surface.positions, surface.triangles, {.method = Method::dissertation, .corners = corners}, host);
-    const Distortion &before = best.printed->before, &after = best.made.distortion;
-    std::printf("as printed\t%s\t%zu\t%zu\t%zu\t%.4f\t%.4f\t%.4f\t%.4f\t%.2f\n", name.c_str(),
-                best.made.map.triangles.size(), best.printed->corner_points, best.made.certificate.corners,
-                before.angle_mean, before.area_mean, after.angle_mean, after.area_mean, cpu_seconds() - start);
-  } catch (const base::Error& error) {
-    if (error.status() != base::Status::no_valid_result) throw;
-    std::printf("not printed\t%s\t%.2f\t%s\n", name.c_str(), cpu_seconds() - start, error.what());
+  for (const double weight : {1.0, 0.1, 0.5, 1.5}) {
+    const double start = cpu_seconds();
+    try {
+      const BestConstruction best =
+          construct(surface.positions, surface.triangles,
+                    {.method = Method::dissertation, .corners = corners, .area_weight = weight}, host);
+      const Distortion &before = best.printed->before, &after = best.made.distortion;
+      if (weight == 1)
+        std::printf("as printed\t%s\t%zu\t%zu\t%zu\t%.4f\t%.4f\t%.4f\t%.4f\t%.2f\n", name.c_str(),
+                    best.made.map.triangles.size(), best.printed->corner_points, best.made.certificate.corners,
+                    before.angle_mean, before.area_mean, after.angle_mean, after.area_mean, cpu_seconds() - start);
+      std::printf("printed weight\t%s\t%g\t%.4f\t%.4f\n", name.c_str(), weight, after.angle_mean, after.area_mean);
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      if (weight == 1)
+        std::printf("not printed\t%s\t%.2f\t%s\n", name.c_str(), cpu_seconds() - start, error.what());
+      else
+        std::printf("printed weight\t%s\t%g\t0\t0\n", name.c_str(), weight);
+      if (weight == 1) return;
+    }
+    std::fflush(stdout);
   }
-  std::fflush(stdout);
 }
 
 }  // namespace

@@ -206,6 +206,50 @@ TEST_CASE("A factor with rows removed and put back gives what a new one gives") 
   CHECK(kept.counts().factorizations < 6);
 }
 
+TEST_CASE("Energies of rectangles are eqs. 4.2 to 4.4, and follow their lengths as eqs. 4.5 to 4.8") {
+  const BoxedSurface box("sphere", 2000);
+  PrintedMapper mapper(box.surface, host);
+  const Drawn drawn = mapper.draw(box.layout, box.points);
+  REQUIRE(drawn.valid());
+  const PatchMap map = mapper.map(box.layout, drawn);
+  // Each edge and triangle by itself, of the map stretched along the axes.
+  const auto printed = [&](const Vector3& stretch, double alpha) {
+    double sum = 0;
+    for (Index face = 0; face < box.surface.faces(); ++face) {
+      const auto& t = box.surface.triangle[face];
+      std::array<Vector3, 3> x, u;
+      for (std::size_t k = 0; k < 3; ++k) {
+        x[k] = box.surface.position[t[k]];
+        u[k] = map.polycube[t[k]].cwiseProduct(stretch);
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3 a = x[(k + 1) % 3] - x[k], b = x[(k + 2) % 3] - x[k];
+        const double cotangent = 1 / std::tan(std::acos(a.dot(b) / (a.norm() * b.norm())));
+        sum += 0.5 * (0.5 * cotangent) * (u[(k + 1) % 3] - u[(k + 2) % 3]).squaredNorm();
+      }
+      const double area = (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+      const double image = (u[1] - u[0]).cross(u[2] - u[0]).norm() / 2;
+      sum += alpha * image * image / area;
+    }
+    return sum;
+  };
+  for (const double alpha : {0.0, 0.7})
+    CHECK(map.total(alpha) == doctest::Approx(printed(Vector3::Ones(), alpha)).epsilon(1e-9));
+  const double alpha = 0.7;
+  const dissertation::DomainEnergy energy(box.layout, map.energy, alpha, host);
+  REQUIRE(energy.lengths() == 3);
+  std::vector<double> x(energy.start().begin(), energy.start().end()), gradient(x.size());
+  const double area = energy.unit() * energy.unit();
+  for (const Vector3& stretch : {Vector3(1, 1, 1), Vector3(1.3, 1, 1), Vector3(0.8, 1.1, 1.7)}) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      // One length along each axis: alpha and beta of eq. 4.9 are the same.
+      x[a] = energy.start()[a] * stretch[static_cast<Eigen::Index>(a)];
+      x[3 + a] = energy.start()[3 + a] * stretch[static_cast<Eigen::Index>(a)];
+    }
+    CHECK(energy.evaluate(x, 0, gradient) * area == doctest::Approx(printed(stretch, alpha)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("The derivative of the energy of proportions is that of differences") {
   const mesh::Mesh m = test::shape("l-shape", 600);
   const Layout layout = make_layout(octree_of(m, 3, 0.5), host);
