@@ -38,6 +38,7 @@ class Figures(unittest.TestCase):
     def test_each_figure_of_a_pasted_row_has_to_be_in_a_line_of_its_name(self):
         self.assertEqual(figures.differences_of_rows(self.table(), OUTPUT, ("theirs",)), [])
         self.assertEqual(len(figures.differences_of_rows(self.table(), OUTPUT)), 2)  # what others have is not printed
+        self.assertEqual(figures.differences_of_rows(self.table(), OUTPUT.replace("1200", "7"), ("theirs", ("bun", "cell"))), [])
         for old, new in (("1200", "1300"), ("0.1249", "0.2"), ("-0.5", "0.5"), ("Two words", "Three")):
             self.assertEqual(len(figures.differences_of_rows(self.table(), OUTPUT.replace(old, new), ("theirs",))), 1, new)
 
