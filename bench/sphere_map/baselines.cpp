@@ -246,7 +246,7 @@ Directions longitude_latitude(const mesh::Mesh& surface, const std::vector<Edge>
   const std::vector<int> turns = crossings(surface, edges, path, host);
   const std::size_t count = surface.positions.size();
   const auto latitude = harmonic_values(edges, count, {north, 0.0}, {south, std::numbers::pi}, {}, 0);
-  // The longitude has no value at the poles, whose edges have no part in it; one value is held.
+  // The longitude has no value at the poles, whose edges have no part in it; one value is fixed.
   std::vector<Edge> inner = edges;
   for (Edge& e : inner) {
     for (const Index v : {e.start, e.end}) {

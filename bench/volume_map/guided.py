@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Maps of solids to polycubes that frame fields guide (section 5.2 of the dissertation): energies, and what is inverted.
+"""Maps of solids to polycubes that frame fields guide (section 5.2 of the dissertation): energies, and inverted tetrahedra.
 
     guided.py ORBICUBE MODELS [--keep FOLDER] [--write]
 
