@@ -8,6 +8,7 @@
 
 #include "images/inflate.h"
 #include "session/program.h"
+#include "sphere_map/sampling/png_file.h"
 #ifdef ORBICUBE_WITH_VOLUME_MAP
 #include "report/solver_choice.h"
 #endif
@@ -31,6 +32,11 @@ Component found_at(const char* name, const char* kind, const std::optional<std::
 std::string json_version() {
   return std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." + std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
          std::to_string(NLOHMANN_JSON_VERSION_PATCH);
+}
+
+std::optional<std::string> version_of_libspng() {
+  const char* version = sphere_map::version_of_spng();
+  return version != nullptr ? std::optional<std::string>(version) : std::nullopt;
 }
 
 std::optional<std::string> version_of_cholmod() {
@@ -72,7 +78,9 @@ std::vector<Component> components() {
               "libtet1.5-dev (AGPL), and build again with -Dtetgen=enabled"),
       library("zlib", version_of_zlib(), "compressed images, VTK XML and GIFTI files",
               "those that are compressed are refused", "zlib1g-dev, and build again with -Dzlib=enabled"),
-      library("stb_image", "", "geometry images and textures", "", ""),
+      library("libspng", version_of_libspng(), "compressed PNG files: geometry images, atlases, plots",
+              "PNG files have the same pixels without compression", "libspng-dev, and build again with -Dspng=enabled"),
+      library("stb_image", "", "textures of glTF files", "", ""),
       library("tinygltf", "", "glTF and GLB files", "", ""),
       library("nlohmann-json", json_version(), "reports", "", ""),
       library("CLI11", CLI11_VERSION, "the command line", "", ""),

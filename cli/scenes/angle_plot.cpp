@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/files/png.h"
+#include "sphere_map/sampling/png_file.h"
 
 namespace orbicube::cli {
 namespace {
@@ -61,8 +61,8 @@ class Canvas {
 
 }  // namespace
 
-base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, std::pmr::memory_resource* memory) {
-  Canvas canvas(memory);
+base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, const base::Host& host) {
+  Canvas canvas(host.memory);
   double total = 0;
   for (const std::size_t n : histogram)
     total += static_cast<double>(n);
@@ -96,7 +96,7 @@ base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, std::p
   image.color = base::PngColor::palette;
   image.palette = std::as_bytes(std::span(palette.front().data(), 3 * palette.size()));
   image.rows = std::as_bytes(std::span(canvas.pixels()));
-  return base::png_bytes(image, memory);
+  return sphere_map::png_file(image, host);
 }
 
 }  // namespace orbicube::cli

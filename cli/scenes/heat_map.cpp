@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/files/png.h"
+#include "sphere_map/sampling/png_file.h"
 
 namespace orbicube::cli {
 namespace {
@@ -58,14 +58,14 @@ class Picture {
       left += letter_width;
     }
   }
-  base::Array<std::byte> png(std::pmr::memory_resource* memory) const {
+  base::Array<std::byte> png(const base::Host& host) const {
     base::PngImage image;
     image.width = static_cast<std::uint32_t>(width_);
     image.height = static_cast<std::uint32_t>(height_);
     image.color = base::PngColor::rgb;
     static_assert(sizeof(HeatColor) == 3);
     image.rows = std::as_bytes(std::span(pixels_));
-    return base::png_bytes(image, memory);
+    return sphere_map::png_file(image, host);
   }
 
  private:
@@ -93,7 +93,7 @@ HeatColor heat_color(double share) {
   return {channel(0), channel(1), channel(2)};
 }
 
-base::Array<std::byte> heat_map_png(const std::vector<std::vector<double>>& matrix, std::pmr::memory_resource* memory) {
+base::Array<std::byte> heat_map_png(const std::vector<std::vector<double>>& matrix, const base::Host& host) {
   const int n = static_cast<int>(matrix.size());
   constexpr int margin = 28, scale_width = 16, scale_room = 84, wanted_size = 640, largest_cell = 64;
   const int cell = std::clamp(wanted_size / std::max(n, 1), 2, largest_cell);
@@ -129,7 +129,7 @@ base::Array<std::byte> heat_map_png(const std::vector<std::vector<double>>& matr
     picture.write(short_number(largest * (steps - k) / steps), left + scale_width + scale_room / 3,
                   margin + height * k / steps, black);
   }
-  return picture.png(memory);
+  return picture.png(host);
 }
 
 }  // namespace orbicube::cli

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
 #include <vector>
 
 #include "base/array.h"
+#include "base/host.h"
 
 namespace orbicube::cli {
 
@@ -21,6 +21,6 @@ HeatColor heat_color(double share);
 // A PNG of a square matrix of numbers that are not negative, in these colors as parts of the largest. Rows and columns
 // are numbered from 1, cells that are large enough show their number, and a scale stands on the right. The bytes of the
 // file.
-base::Array<std::byte> heat_map_png(const std::vector<std::vector<double>>& matrix, std::pmr::memory_resource* memory);
+base::Array<std::byte> heat_map_png(const std::vector<std::vector<double>>& matrix, const base::Host& host);
 
 }  // namespace orbicube::cli

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files/png.h"
+#include "sphere_map/sampling/png_file.h"
 #include "files/surface_file.h"
 #include "gltf/reading/read.h"
 #include "gltf/reading/surface_colors.h"
@@ -162,7 +162,7 @@ base::Array<std::byte> checker_of_atlas(const AtlasOfMap& of, const mesh::Vector
   image.color = base::PngColor::palette;
   image.palette = std::as_bytes(std::span(palette));
   image.rows = rows;
-  return base::png_bytes(image, host.memory);
+  return sphere_map::png_file(image, host);
 }
 
 void require_colored(const std::filesystem::path& input) {
@@ -175,9 +175,7 @@ base::Array<std::byte> colors_of_input(const AtlasOfMap& of, const std::filesyst
                                        const base::Host& host) {
   const ColoredSurface surface(input, host);
   const std::uint32_t size = of.atlas.options.size;
-  StoredImage image(host.memory);
-  image.width = image.height = size;
-  image.rgb.assign(std::size_t{3} * size * size, std::uint8_t{255});
+  base::Array<std::uint8_t> rgb(std::size_t{3} * size * size, std::uint8_t{255}, host.memory);
   mesh::Index hint = mesh::no_index;
   for (mesh::Index texel = 0; texel < of.texels.triangles.size(); ++texel) {
     if (texel % 1024 == 0) host.report("texture", texel, of.texels.triangles.size());
@@ -185,14 +183,17 @@ base::Array<std::byte> colors_of_input(const AtlasOfMap& of, const std::filesyst
     if (triangle == mesh::no_index) continue;
     const Color color = surface.at(blend_of(of.map, of.map.positions, triangle, weights_of(of, texel)), hint);
     for (std::size_t k = 0; k < 3; ++k)
-      image.rgb[3 * std::size_t{texel} + k] = surface.level(color[k]);
+      rgb[3 * std::size_t{texel} + k] = surface.level(color[k]);
   }
   for (mesh::Index texel = 0; texel < of.texels.shown.size(); ++texel) {
     const mesh::Index shown = of.texels.shown[texel];
     if (shown != mesh::no_index && shown != texel)
-      std::copy_n(image.rgb.begin() + std::ptrdiff_t{3} * shown, 3, image.rgb.begin() + std::ptrdiff_t{3} * texel);
+      std::copy_n(rgb.begin() + std::ptrdiff_t{3} * shown, 3, rgb.begin() + std::ptrdiff_t{3} * texel);
   }
-  return encoded(image, host);
+    base::PngImage image;
+  image.width = image.height = size;
+  image.rows = std::as_bytes(std::span(rgb));
+  return sphere_map::png_file(image, host);
 }
 
 }  // namespace orbicube::cli

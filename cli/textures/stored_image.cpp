@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <memory>
-#include <new>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -12,10 +11,6 @@
 #define STBI_NO_FAILURE_STRINGS
 #define STBI_MAX_DIMENSIONS 16384
 #include <stb/stb_image.h>
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
 
 namespace orbicube::cli {
 
@@ -33,18 +28,6 @@ StoredImage decoded(std::span<const std::byte> file, const base::Host& host) {
   image.height = static_cast<std::size_t>(height);
   image.rgb.assign(pixels.get(), pixels.get() + 3 * image.width * image.height);
   return image;
-}
-
-base::Array<std::byte> encoded(const StoredImage& image, const base::Host& host) {
-  base::Array<std::byte> file(host.memory);
-  const auto append = [](void* to, void* bytes, int size) {
-    const auto* first = static_cast<const std::byte*>(bytes);
-    static_cast<base::Array<std::byte>*>(to)->insert(static_cast<base::Array<std::byte>*>(to)->end(), first,
-                                                     first + size);
-  };
-  const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  if (stbi_write_png_to_func(append, &file, width, height, 3, image.rgb.data(), 3 * width) == 0) throw std::bad_alloc();
-  return file;
 }
 
 }  // namespace orbicube::cli

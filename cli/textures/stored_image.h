@@ -1,4 +1,4 @@
-// Images as files in memory, by stb_image and stb_image_write.
+// Images of files in memory, by stb_image.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,5 @@ struct StoredImage {
 
 // Returns the pixels of a PNG or JPEG file of at most 16384 pixels along a side; none if it is no such file.
 StoredImage decoded(std::span<const std::byte> file, const base::Host& host);
-
-// Returns a PNG file, compressed.
-base::Array<std::byte> encoded(const StoredImage& image, const base::Host& host);
 
 }  // namespace orbicube::cli

@@ -135,7 +135,7 @@ void compare(const CompareOptions& options, Session& session) {
     });
   };
   write(options.output, [&] { return table(options, distance); });
-  write(options.picture, [&] { return heat_map_png(distance, session.host().memory); });
+  write(options.picture, [&] { return heat_map_png(distance, session.host()); });
   session.figures() = {
       {"output", options.output}, {"shapes", n}, {"names", options.files}, {"size", sizes}, {"distance", distance}};
   show(options, distance, session);

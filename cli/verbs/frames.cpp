@@ -158,7 +158,7 @@ void draw(const FramesOptions& options, const mesh::Mesh& solid, const mesh::Tet
   if (!options.plot.empty()) {
     about(options.plot, Role::output, [&] {
       mesh::OutputFile file(session.stage(options.plot));
-      file.write(std::span<const std::byte>(angle_plot(found.measurement.histogram, host.memory)));
+      file.write(std::span<const std::byte>(angle_plot(found.measurement.histogram, host)));
       file.commit();
     });
   }

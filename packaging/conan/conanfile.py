@@ -22,7 +22,7 @@ LIBRARIES = {
     "gltf": (["base", "mesh"], ["eigen", "tinygltf", "nlohmann_json"]),
     "repair": (["base", "linear", "mesh"], ["eigen"]),
     "frame_field": (["base", "quaternion", "sphere_optimizer", "linear", "mesh"], ["eigen"]),
-    "sphere_map": (["base", "linear", "mesh"], ["eigen", "stb"]),
+    "sphere_map": (["base", "linear", "mesh"], ["eigen", "stb", "libspng"]),
     "untangle": (["base", "linear", "mesh"], ["eigen"]),
     "polycube": (["base", "linear", "projected_gradient", "trust_region", "mesh", "untangle"], ["eigen"]),
     "correspondence": (["base", "harmonics", "mesh", "sphere_map", "untangle", "polycube"], ["eigen"]),
@@ -32,8 +32,8 @@ LIBRARIES = {
                  "polycube", "volume_map"], ["eigen"]),
 }
 VERSIONS = {"eigen": "3.4.0", "fast_float": "6.1.0", "boost": "1.81.0", "zlib": "[>=1.2.11 <2]", "tinygltf": "2.8.13", "nlohmann_json": "3.11.3",
-            "stb": "cci.20230920"}
-LINKED = {"zlib"}
+            "stb": "cci.20230920", "libspng": "0.7.4"}
+LINKED = {"zlib", "libspng"}
 
 
 class Orbicube(ConanFile):

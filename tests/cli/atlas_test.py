@@ -8,12 +8,12 @@ import math
 import os
 import struct
 import subprocess
-import zlib
 from collections import Counter
 from fractions import Fraction
 
 from command import Glb, InFolder, main, run
 from decorated import png
+from png_rows import Png
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -48,29 +48,12 @@ class AtlasFile(Glb):
 
 def decoded(data):
     """Width, height and rows of RGB of a PNG: palette of one bit, or RGB of eight."""
-    at, packed, palette = 8, b"", None
-    while at < len(data):
-        length, kind = struct.unpack_from(">I4s", data, at)
-        body = data[at + 8:at + 8 + length]
-        if kind == b"IHDR":
-            width, height, bits, color = struct.unpack_from(">IIBB", body)
-        elif kind == b"PLTE":
-            palette = [tuple(body[i:i + 3]) for i in range(0, len(body), 3)]
-        elif kind == b"IDAT":
-            packed += body
-        at += length + 12
-    raw, stride, step = zlib.decompress(packed), (width * (bits if palette else 24) + 7) // 8, 1 if palette else 3
-    rows, before = [], bytearray(stride)
-    for y in range(height):
-        method, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride if method else 0):
-            a, b, c = line[i - step] if i >= step else 0, before[i], before[i - step] if i >= step else 0
-            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            line[i] = (line[i] + (0, a, b, (a + b) // 2, nearest)[method]) & 255
-        before = line
-        rows.append([palette[line[x // 8] >> (7 - x % 8) & 1] for x in range(width)] if palette
-                    else [tuple(line[3 * x:3 * x + 3]) for x in range(width)])
-    return width, height, rows
+    png = Png(data)
+    if png.palette:
+        rows = [[png.palette[row[x // 8] >> (7 - x % 8) & 1] for x in range(png.width)] for row in png.rows]
+    else:
+        rows = [[tuple(row[3 * x:3 * x + 3]) for x in range(png.width)] for row in png.rows]
+    return png.width, png.height, rows
 
 
 def exact(points):

@@ -9,9 +9,9 @@ import math
 import os
 import random
 import struct
-import zlib
 
 from command import InFolder, as_float32, main, run
+from png_rows import Png
 from tetrahedra import box, write_medit
 
 HALF = math.sqrt(0.5)
@@ -242,21 +242,10 @@ class Frames(InFolder):
         out, picture = self.path("solid.frames"), self.path("solid.png")
         facts = self.figures(path, "-o", out, "--plot", picture)
         with open(picture, "rb") as file:
-            data = file.read()
-        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        chunks, at = {}, 8
-        while at < len(data):
-            length, kind = struct.unpack_from(">I4s", data, at)
-            body = data[at + 8:at + 8 + length]
-            self.assertEqual(struct.unpack_from(">I", data, at + 8 + length)[0], zlib.crc32(kind + body))
-            chunks[kind] = body
-            at += length + 12
-        width, height, bits = struct.unpack_from(">IIB", chunks[b"IHDR"])
-        pixels = zlib.decompress(chunks[b"IDAT"])
-        self.assertEqual((bits, len(pixels)), (8, height * (width + 1)))
+            png = Png(file.read())
+        self.assertEqual(png.bits, 8)
         bars = [0] * 64
-        for y in range(height):
-            row = pixels[y * (width + 1) + 1:(y + 1) * (width + 1)]
+        for row in png.rows:
             for degree in range(64):
                 bars[degree] += row[round(60 + (degree + 0.5) / 64 * 820)] == 3
         for degree, count in enumerate(facts["histogram"]):

@@ -2,11 +2,10 @@
 import json
 import math
 import os
-import struct
 import unittest
-import zlib
 
 from command import InFolder, main, not_positive, read_obj, run
+from png_rows import Png
 
 
 def legendre(degree, order, x):
@@ -200,17 +199,10 @@ class Harmonics(InFolder):
         with open(report, encoding="utf-8") as file:
             self.assertEqual(json.load(file)["distance"], rows)
         with open(picture, "rb") as file:
-            data = file.read()
-        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+            png = Png(file.read())
         # The diagonal is black, the largest distance light yellow.
-        width, height, bits, color = struct.unpack(">IIBB", data[16:26])
-        self.assertEqual((bits, color), (8, 2))
-        pixels, at = b"", 8
-        while at < len(data):
-            length, kind = struct.unpack(">I4s", data[at:at + 8])
-            pixels += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
-            at += 12 + length
-        rows_of = self.unfiltered(zlib.decompress(pixels), 3 * width, height)
+        self.assertEqual((png.bits, png.color), (8, 2))
+        rows_of = png.rows
         self.assertEqual(rows_of[30][90:93], bytes(3))
         largest = max(max(row) for row in rows)
         i, j = next((i, j) for i in range(3) for j in range(3) if rows[i][j] == largest)
@@ -219,21 +211,6 @@ class Harmonics(InFolder):
         self.assertNotIn("\033", done.stdout)  # colors are for terminals
         lines = done.stdout.splitlines()
         self.assertEqual([line.split()[:2] for line in lines[1:]], [[str(k + 1), f"blob{k}.sh"] for k in range(3)])
-
-    @staticmethod
-    def unfiltered(data, width, height):
-        """The rows of a PNG of three bytes a pixel."""
-        rows, before = [], bytes(width)
-        for y in range(height):
-            kind, row = data[y * (width + 1)], bytearray(data[y * (width + 1) + 1:(y + 1) * (width + 1)])
-            for x in range(width):
-                left, up, corner = (row[x - 3] if x > 2 else 0), before[x], (before[x - 3] if x > 2 else 0)
-                estimate = left + up - corner
-                near = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
-                row[x] = (row[x] + (0, left, up, (left + up) // 2, near)[kind]) % 256
-            rows.append(bytes(row))
-            before = rows[-1]
-        return rows
 
     def test_shapes_of_other_sizes_are_alike_unless_sizes_are_kept(self):
         path, sphere = self.mapped("blob", 800)

@@ -7,9 +7,9 @@ import json
 import math
 import random
 import struct
-import zlib
 
 from command import Glb, InFolder, long, main, read_obj, run
+from png_rows import Png
 
 
 class Uses(InFolder):
@@ -84,25 +84,12 @@ class Remesh(Uses):
 
 
 def read_png_16(path):
-    """Width, height, and rows of 16-bit numbers of an RGB image without filters; every checksum is looked at."""
+    """Width, height, and rows of 16-bit numbers of an RGB image, and its box."""
     with open(path, "rb") as file:
-        data = file.read()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    at, chunks = 8, {}
-    while at < len(data):
-        length, kind = struct.unpack_from(">I4s", data, at)
-        content = data[at + 8:at + 8 + length]
-        assert struct.unpack_from(">I", data, at + 8 + length)[0] == zlib.crc32(kind + content)
-        chunks[kind] = content
-        at += 12 + length
-    width, height, bits, color = struct.unpack_from(">IIBB", chunks[b"IHDR"])
-    assert (bits, color) == (16, 2)
-    rows = zlib.decompress(chunks[b"IDAT"])
-    step = 6 * width + 1
-    assert len(rows) == step * height and all(rows[i * step] == 0 for i in range(height))
-    pixels = [struct.unpack_from(f">{3 * width}H", rows, i * step + 1) for i in range(height)]
-    box = [float(x) for x in chunks[b"tEXt"].split(b"\0", 1)[1].split()]
-    return width, height, pixels, box
+        png = Png(file.read())
+    assert (png.bits, png.color) == (16, 2)
+    pixels = [struct.unpack(f">{3 * png.width}H", row) for row in png.rows]
+    return png.width, png.height, pixels, [float(x) for x in png.texts["orbicube-box"].split()]
 
 
 class Images(Uses):

@@ -1,7 +1,7 @@
 #include "gltf/writing/checker.h"
 
 #include "base/error.h"
-#include "base/files/png.h"
+#include "base/files/stored_png.h"
 
 namespace orbicube::gltf {
 
@@ -34,7 +34,7 @@ base::Array<std::byte> checker_png(const Checker& checker, std::pmr::memory_reso
   }
   image.palette = palette;
   image.rows = rows;
-  return base::png_bytes(image, memory);
+  return base::stored_png(image, memory);
 }
 
 }  // namespace orbicube::gltf

@@ -16,9 +16,9 @@ struct Checker {
   std::array<std::uint8_t, 3> first{235, 235, 235}, second{70, 110, 160};  // sRGB
 };
 
-// The bytes of the file: two colors, one bit a pixel (PNG specification, third edition), stored without compression,
-// which these few thousand bytes do not need. Throws Error "invalid-argument" when a side is not from 1 to 16384
-// pixels.
+// Returns the bytes of the file: two colors, one bit a pixel (PNG specification, third edition), 16 KB by default. Not
+// compressed, so that the bytes are those of every build, with or without libraries, and of every language. Throws
+// Error "invalid-argument" when a side is not from 1 to 16384 pixels.
 base::Array<std::byte> checker_png(const Checker& checker, std::pmr::memory_resource* memory);
 
 }  // namespace orbicube::gltf

@@ -10,23 +10,14 @@
 
 #include "base/counted.h"
 #include "base/error.h"
-#include "base/files/png.h"
 #include "mesh/files/file.h"
-#include "sphere_map/sampling/geometry_image.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STBI_NO_FAILURE_STRINGS
-#include <stb/stb_image.h>
+#include "sphere_map/sampling/geometry_image_png.h"
+#include "sphere_map/sampling/png_file.h"
 
 namespace orbicube::sphere_map {
 namespace {
 
 using Bytes = Array<std::byte>;
-
-constexpr std::string_view box_key = "orbicube-box";
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -104,7 +95,7 @@ Bytes to_png(const GeometryImage& image, const base::Host& host) {
   png.rows = rows;
   png.text_key = box_key;
   png.text = box;
-  return base::png_bytes(png, host.memory);
+  return png_file(png, host);
 }
 
 // Sets layout, resolution and size, not yet the pixels.
@@ -167,10 +158,17 @@ GeometryImage from_pfm(std::span<const std::byte> bytes, const base::Host& host)
   return image;
 }
 
-// The corners of the box, 0 and 1 where the file has none.
-std::array<Vector3, 2> box_of(std::span<const std::byte> file) {
+}  // namespace
+
+void set_png_size(GeometryImage& image, std::size_t width, std::size_t height, std::size_t file_bytes) {
+  // Deflate makes a byte of at most 1032; a pixel is at least a bit. No memory for what cannot be there.
+  if (width * height / 8 > 1032 * file_bytes)
+    throw base::Error("truncated", "the file has fewer pixels than it says");
+  set_size(image, width, height);
+}
+
+std::array<Vector3, 2> box_of(std::string_view text) {
   std::array<Vector3, 2> box{Vector3::Zero(), Vector3::Ones()};
-  const std::string_view text = base::png_text(file, box_key);
   if (text.empty()) return box;
   const char* at = text.data();
   const char* end = at + text.size();
@@ -186,37 +184,6 @@ std::array<Vector3, 2> box_of(std::span<const std::byte> file) {
   return box;
 }
 
-GeometryImage from_png(std::span<const std::byte> bytes, const base::Host& host) {
-  if (bytes.size() > INT32_MAX) throw base::Error("unsupported", "a PNG file of 2 GiB or more");
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0, height = 0, channels = 0;
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-    throw base::Error("parse", "this is no PNG file");
-  // Deflate makes a byte of at most 1032; a pixel is at least a bit. No memory for what cannot be there.
-  const auto columns = static_cast<std::size_t>(width);
-  const auto lines = static_cast<std::size_t>(height);
-  if (columns * lines / 8 > 1032 * bytes.size())
-    throw base::Error("truncated", "the file has fewer pixels than it says");
-  GeometryImage image(host.memory);
-  set_size(image, columns, lines);
-  image.pixels.resize(columns * lines);
-  const auto box = box_of(bytes);
-  stbi_us* const levels = stbi_load_16_from_memory(data, size, &width, &height, &channels, 3);
-  if (levels == nullptr) throw base::Error("parse", "the PNG file is damaged");
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      const double share = levels[3 * i + k] / 65535.0;
-      image.pixels[i][axis] = (1 - share) * box[0][axis] + share * box[1][axis];
-    }
-  }
-  stbi_image_free(levels);
-  return image;
-}
-
-}  // namespace
-
 void write_geometry_image(const std::filesystem::path& path, const GeometryImage& image, const base::Host& host) {
   const std::string ending = ending_of(path);
   const auto [width, height] = image_size(image.layout, image.resolution);
@@ -231,7 +198,7 @@ void write_geometry_image(const std::filesystem::path& path, const GeometryImage
 GeometryImage read_geometry_image(const std::filesystem::path& path, const base::Host& host) {
   const std::string ending = ending_of(path);
   const Bytes bytes = mesh::read_file(path, host);
-  return ending == ".pfm" ? from_pfm(bytes, host) : from_png(bytes, host);
+  return ending == ".pfm" ? from_pfm(bytes, host) : image_of_png(bytes, host);
 }
 
 }  // namespace orbicube::sphere_map

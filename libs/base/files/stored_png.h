@@ -1,4 +1,5 @@
-// PNG files in memory (PNG specification, third edition), stored without compression.
+// PNG files in memory (PNG specification, third edition), stored without compression: the same bytes from every build
+// and language. Large images are compressed, by sphere_map/sampling/png_file.h.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace orbicube::base {
 
-enum class PngColor : std::uint8_t { grey = 0, rgb = 2, palette = 3 };
+enum class PngColor : std::uint8_t { gray = 0, rgb = 2, palette = 3 };
 
 struct PngImage {
   std::uint32_t width = 0, height = 0;  // pixels
@@ -23,10 +24,14 @@ struct PngImage {
   std::string_view text_key, text;  // a text chunk of Latin letters (key of 1 to 79), or nothing
 };
 
-// The bytes of the file. Throws Error "invalid-argument" when a side is not from 1 to 16384 pixels or sizes do not fit.
-Array<std::byte> png_bytes(const PngImage& image, std::pmr::memory_resource* memory);
+// Returns the number of bytes in a row. Throws Error "invalid-argument" when a side is not from 1 to 16384 pixels or
+// sizes do not fit.
+std::size_t checked_row_bytes(const PngImage& image);
 
-// The text that a PNG file has under this key, or nothing; whatever the bytes are.
+// Returns the bytes of the file. Throws as checked_row_bytes does.
+Array<std::byte> stored_png(const PngImage& image, std::pmr::memory_resource* memory);
+
+// Returns the text that a PNG file has under this key, uncompressed, or nothing; whatever the bytes are.
 std::string_view png_text(std::span<const std::byte> file, std::string_view key);
 
 }  // namespace orbicube::base

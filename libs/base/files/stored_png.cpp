@@ -1,4 +1,4 @@
-#include "base/files/png.h"
+#include "base/files/stored_png.h"
 
 #include <algorithm>
 #include <array>
@@ -80,7 +80,7 @@ Bytes zlib_stored(std::span<const std::byte> content, std::pmr::memory_resource*
 
 }  // namespace
 
-Bytes png_bytes(const PngImage& image, std::pmr::memory_resource* memory) {
+std::size_t checked_row_bytes(const PngImage& image) {
   constexpr std::uint32_t longest_side = 16384;
   if (image.width == 0 || image.height == 0 || image.width > longest_side || image.height > longest_side)
     throw Error("invalid-argument", "a PNG image has sides of 1 to 16384 pixels");
@@ -88,7 +88,11 @@ Bytes png_bytes(const PngImage& image, std::pmr::memory_resource* memory) {
   const std::size_t row_bytes = (std::size_t{image.width} * channels * image.bits + 7) / 8;
   if (image.rows.size() != row_bytes * image.height || image.palette.size() % 3 != 0 || image.text_key.size() > 79)
     throw Error("invalid-argument", "rows, palette or text of a PNG image have a wrong size");
+  return row_bytes;
+}
 
+Bytes stored_png(const PngImage& image, std::pmr::memory_resource* memory) {
+  const std::size_t row_bytes = checked_row_bytes(image);
   Bytes header(memory), lines(memory), file(memory);
   put_big_endian(header, image.width);
   put_big_endian(header, image.height);
