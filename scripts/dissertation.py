@@ -332,7 +332,7 @@ CHAPTER_6 = [
     test("Eq. 6.11", "its derivative", "sphere-optimizer", "Algorithm 2 as printed lowers the energy*"),
     Row("Eq. 6.12", "energy of a field, shifted by the number of inner faces: `E`",
         SOLID + " && orbicube frames solid.mesh -o f.frames --method dissertation && "
-        "orbicube frames solid.mesh -o g.frames --from f.frames --unchanged",
+        "orbicube frames solid.mesh -o g.frames --start-field f.frames --unchanged",
         lambda reports: near("E", reports[-2]["E"], 1e-9)(reports)),
     test("Section 6.1.4", "the sextic with matchings on the sphere: every field is a minimum of it", "frame-field",
          "with matchings free on the sphere*"),

@@ -109,7 +109,7 @@ obc_status obc_harmonics_fit(const double* directions, const double* weights, co
     const Coefficients fitted = harmonics::fit(
         vectors(directions, count, "directions is NULL"), {weights, weights != nullptr ? count : 0},
         {values, count * channels}, channels,
-        {.degree = o.degree, .method = static_cast<harmonics::FitMethod>(o.method), .smoothing = o.smoothing},
+        {.degree = o.degree, .method = static_cast<harmonics::FitMethod>(o.method), .regularization = o.regularization},
         adapter.host(), told);
     obc_harmonics_fit_report r{};
     r.method = static_cast<std::int32_t>(told.method);
@@ -138,13 +138,15 @@ obc_status obc_harmonics_refine_map(const double* positions, size_t vertex_count
     const capi::HostAdapter adapter(host);
     const auto given = vectors(directions, vertex_count, "directions is NULL");
     base::Array<Vector3> moved(given.begin(), given.end(), adapter.host().memory);
-    const harmonics::RefinementReport told = harmonics::refine_map(
-        vectors(positions, vertex_count, "positions is NULL"),
-        {reinterpret_cast<const harmonics::Triangle*>(triangles), triangle_count},
-        {weights, weights != nullptr ? vertex_count : 0},
-        {.fit = {.degree = o.degree, .method = static_cast<harmonics::FitMethod>(o.method), .smoothing = o.smoothing},
-         .rounds = rounds},
-        moved, adapter.host());
+    const harmonics::RefinementReport told =
+        harmonics::refine_map(vectors(positions, vertex_count, "positions is NULL"),
+                              {reinterpret_cast<const harmonics::Triangle*>(triangles), triangle_count},
+                              {weights, weights != nullptr ? vertex_count : 0},
+                              {.fit = {.degree = o.degree,
+                                       .method = static_cast<harmonics::FitMethod>(o.method),
+                                       .regularization = o.regularization},
+                               .rounds = rounds},
+                              moved, adapter.host());
     obc_harmonics_refinement_report r{};
     r.rounds = told.rounds;
     r.residual_before = told.residual_before;

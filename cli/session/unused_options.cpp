@@ -79,7 +79,7 @@ void refuse_unused_repair_options(const CLI::App& verb) {
 }
 
 void refuse_unused_surface_options(const CLI::App& verb) {
-  refuse_if(verb.count("--cavities") > 0 && given_or(verb, "--genus", "0") != "keep", "--cavities", "--genus keep");
+  refuse_if(verb.count("--cavities") > 0 && verb.count("--keep-handles") == 0, "--cavities", "--keep-handles");
   refuse_if(verb.count("--smoothing") > 0 && verb.count("--max-slide") > 0 &&
                 !(verb.get_option("--max-slide")->as<double>() > 0),
             "--smoothing", "a positive --max-slide");
@@ -94,9 +94,9 @@ void refuse_unused_frames_options(const CLI::App& verb) {
   const std::string start = given_or(verb, "--start", "auto");
   const std::string own_start = "--method smooth; --method dissertation starts from identity";
   refuse_if(dissertation && start != "auto" && start != "identity", "--start " + start, own_start);
-  refuse_if(dissertation && verb.count("--from") > 0, "--from", own_start);
-  refuse_if(verb.count("--rounds") > 0 && (dissertation || start != "auto" || verb.count("--from") > 0), "--rounds",
-            "--start auto of --method smooth");
+  refuse_if(dissertation && verb.count("--start-field") > 0, "--start-field", own_start);
+  refuse_if(verb.count("--rounds") > 0 && (dissertation || start != "auto" || verb.count("--start-field") > 0),
+            "--rounds", "--start auto of --method smooth");
 }
 
 void refuse_unused_polycube_options(const CLI::App& verb) {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "sphere_map/sampling/png_file.h"
 #include "files/surface_file.h"
 #include "gltf/reading/read.h"
 #include "gltf/reading/surface_colors.h"
 #include "mesh/search/nearest.h"
+#include "sphere_map/sampling/png_file.h"
 #include "textures/stored_image.h"
 
 namespace orbicube::cli {
@@ -190,7 +190,7 @@ base::Array<std::byte> colors_of_input(const AtlasOfMap& of, const std::filesyst
     if (shown != mesh::no_index && shown != texel)
       std::copy_n(rgb.begin() + std::ptrdiff_t{3} * shown, 3, rgb.begin() + std::ptrdiff_t{3} * texel);
   }
-    base::PngImage image;
+  base::PngImage image;
   image.width = image.height = size;
   image.rows = std::as_bytes(std::span(rgb));
   return sphere_map::png_file(image, host);

@@ -41,7 +41,7 @@ struct FramesOptions {
   std::string input;
   std::string output;
   std::string start = "auto";
-  std::string from;
+  std::string start_field;
   bool unchanged = false;
   std::string boundary;
   std::string method = "smooth";
@@ -89,7 +89,7 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   };
   frame_field::Field start(host.memory);
   base::Array<frame_field::GivenFrame> held(host.memory);
-  if (!options.from.empty()) start = read(options.from);
+  if (!options.start_field.empty()) start = read(options.start_field);
   if (options.unchanged) {
     frame_field::Outcome outcome(host.memory);
     outcome.field = std::move(start);
@@ -98,7 +98,7 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   }
   if (!options.boundary.empty()) held = boundary_frames(solid, read(options.boundary), host);
   frame_field::Options settings;
-  settings.start = options.from.empty() ? starts.at(options.start) : Start::given;
+  settings.start = options.start_field.empty() ? starts.at(options.start) : Start::given;
   settings.method = frame_methods.at(options.method);
   settings.weighting = weightings.at(options.weights);
   settings.align_boundary = !options.free_boundary;
@@ -136,7 +136,7 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, int exponent, 
 Json json_of(const FramesOptions& options) {
   return {{"output", options.output},
           {"start", options.start},
-          {"from", options.from},
+          {"start_field", options.start_field},
           {"unchanged", options.unchanged},
           {"boundary", options.boundary},
           {"method", options.method},
@@ -258,10 +258,11 @@ void add_frames(CLI::App& app, CommonOptions& common) {
               "nearest boundary frame; harmonic, harmonics of degree 4; diffusion, these, diffused and projected")
           ->check(one_of(starts))
           ->type_name("START");
-  CLI::Option* from = verb->add_option("--from", options->from, "smooth the field of this file")
-                          ->excludes(start)
-                          ->type_name("FILE.frames");
-  verb->add_flag("--unchanged", options->unchanged, "only report and draw the field of --from")->needs(from);
+  CLI::Option* start_field = verb->add_option("--start-field", options->start_field, "smooth the field of this file")
+                                 ->excludes(start)
+                                 ->type_name("FILE.frames");
+  verb->add_flag("--unchanged", options->unchanged, "only report and draw the field of --start-field")
+      ->needs(start_field);
   verb->add_option("--boundary", options->boundary, "fix the frames of boundary tetrahedra to those of this file")
       ->type_name("FILE.frames");
   verb->add_option("--method", options->method,

@@ -46,7 +46,7 @@ struct HarmonicsOptions {
   std::uint32_t degree = 0;
   std::string method = "automatic";
   std::string weights = "area";
-  double smoothing = 0;
+  double regularization = 0;
   std::uint32_t low = harmonics::largest_degree, high = 0, width = 0;
   std::vector<std::uint32_t> band;
   MapRefinement refinement;
@@ -65,7 +65,7 @@ base::Array<double> weights_of(const HarmonicsOptions& options, const mesh::Mesh
 }
 
 harmonics::FitOptions fit_options(const HarmonicsOptions& options) {
-  return {.degree = options.degree, .method = fit_methods.at(options.method), .smoothing = options.smoothing};
+  return {.degree = options.degree, .method = fit_methods.at(options.method), .regularization = options.regularization};
 }
 
 // The fit of the vertices of triangles.
@@ -94,7 +94,7 @@ void note_rank(const harmonics::FitReport& fit, std::size_t vertices, Session& s
                (fit.rank > 0 ? "the vertices determine " + std::to_string(fit.rank) + " of " + unknowns
                              : "the vertices do not determine all " + unknowns) +
                " coefficients of each coordinate (" + why +
-               "); the solution of minimum norm was taken; lower --degree or give --smoothing");
+               "); the solution of minimum norm was taken; lower --degree or give --regularization");
 }
 
 // Where the map says nothing of vertices in no triangle, they get some direction.
@@ -160,7 +160,7 @@ Json json_of(const HarmonicsOptions& options) {
           {"align", options.align},
           {"method", options.method},
           {"vertex_weights", options.weights},
-          {"smoothing", options.smoothing},
+          {"regularization", options.regularization},
           {"low", options.low},
           {"high", options.high},
           {"band", options.band},
@@ -328,7 +328,7 @@ void add_fit_options(CLI::App& verb, HarmonicsOptions& options) {
       ->check(unnamed(CLI::Range(0, 1000)))
       ->type_name("N");
   verb.add_option("--refined-map", options.refinement.output, "write the refined map")->type_name("MAP2");
-  verb.add_option("--smoothing", options.smoothing,
+  verb.add_option("--regularization", options.regularization,
                   "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
       ->check(non_negative_number())
       ->type_name("S");

@@ -17,15 +17,14 @@ namespace {
 struct SurfaceVerb {
   std::string input;
   std::string output;
-  std::string genus = "0";
   repair::LabelOptions options;
   bool text = false;
 };
 
 Json surface_json(const SurfaceVerb& verb) {
   const repair::LabelOptions& o = verb.options;
-  return {{"output", verb.output}, {"label", o.label},         {"keep", o.keep},           {"cavities", o.cavities},
-          {"genus", verb.genus},   {"smoothing", o.smoothing}, {"max_slide", o.max_slide}, {"text", verb.text}};
+  return {{"output", verb.output},     {"label", o.label},         {"keep", o.keep},           {"cavities", o.cavities},
+          {"keep_handles", o.handles}, {"smoothing", o.smoothing}, {"max_slide", o.max_slide}, {"text", verb.text}};
 }
 
 Json label_figures(const LabelFile& file, const repair::LabelReport& r) {
@@ -118,10 +117,8 @@ void add_surface(CLI::App& app, CommonOptions& common) {
   verb->add_option("--keep", o.keep, "keep the N largest parts, connected through faces of voxels; 0: all [default: 1]")
       ->check(unnamed(CLI::Range(0, 1'000'000'000)))
       ->type_name("N");
-  verb->add_option("--genus", options->genus,
-                   "0: remove handles and tunnels where they are thinnest; keep: leave them [default: 0]")
-      ->check(unnamed(CLI::IsMember({"0", "keep"})))
-      ->type_name("0|keep");
+  verb->add_flag("--keep-handles", o.handles,
+                 "keep handles and tunnels; default: they are removed where they are thinnest");
   verb->add_flag("--cavities", o.cavities, "keep cavities as surfaces inside; default: they are filled");
   verb->add_option("--smoothing", o.smoothing,
                    "standard deviation of the Gaussian that smooths the object, in voxels [default: 1]")
@@ -140,7 +137,6 @@ void add_surface(CLI::App& app, CommonOptions& common) {
       "posterior and\nsuperior, NRRD as it says.");
   verb->callback([options, &common, verb] {
     refuse_unused_surface_options(*verb);
-    options->options.handles = options->genus == "keep";
     Session session(common, "surface", options->input);
     session.run([&] { run_surface(*options, session); });
   });

@@ -88,8 +88,8 @@ Json json_of(const UntangleVerb& verb) {
           {"free_boundary", verb.free_boundary},
           {"refine", verb.refine},
           {"source", verb.source},
-          {"steps", verb.options.steps},
-          {"polish", verb.options.polish_steps},
+          {"max_steps", verb.options.steps},
+          {"max_polish_steps", verb.options.polish_steps},
           {"volume_weight", verb.options.volume_weight},
           {"solver", verb.solver},
           {"keep_partial", verb.keep_partial},
@@ -336,11 +336,11 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
       ->needs(refine)
       ->needs(rest)
       ->type_name("OUT2");
-  verb->add_option("--steps", options->options.steps,
+  verb->add_option("--max-steps", options->options.steps,
                    "maximum number of steps until all elements are positive [default: 500]")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
-  verb->add_option("--polish", options->options.polish_steps,
+  verb->add_option("--max-polish-steps", options->options.polish_steps,
                    "maximum number of further steps that lower the distortion [default: 20]")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");

@@ -165,7 +165,7 @@ _Static_assert(offsetof(obc_harmonics_fit_options, struct_size) == 0, "obc_harmo
 _Static_assert(offsetof(obc_harmonics_fit_options, degree) == 4, "obc_harmonics_fit_options.degree");
 _Static_assert(offsetof(obc_harmonics_fit_options, method) == 8, "obc_harmonics_fit_options.method");
 _Static_assert(offsetof(obc_harmonics_fit_options, reserved) == 12, "obc_harmonics_fit_options.reserved");
-_Static_assert(offsetof(obc_harmonics_fit_options, smoothing) == 16, "obc_harmonics_fit_options.smoothing");
+_Static_assert(offsetof(obc_harmonics_fit_options, regularization) == 16, "obc_harmonics_fit_options.regularization");
 _Static_assert(sizeof(obc_harmonics_fit_report) == 48, "obc_harmonics_fit_report");
 _Static_assert(offsetof(obc_harmonics_fit_report, struct_size) == 0, "obc_harmonics_fit_report.struct_size");
 _Static_assert(offsetof(obc_harmonics_fit_report, method) == 4, "obc_harmonics_fit_report.method");
@@ -911,7 +911,7 @@ _Static_assert(offsetof(obc_harmonics_fit_options, struct_size) == 0, "obc_harmo
 _Static_assert(offsetof(obc_harmonics_fit_options, degree) == 4, "obc_harmonics_fit_options.degree");
 _Static_assert(offsetof(obc_harmonics_fit_options, method) == 8, "obc_harmonics_fit_options.method");
 _Static_assert(offsetof(obc_harmonics_fit_options, reserved) == 12, "obc_harmonics_fit_options.reserved");
-_Static_assert(offsetof(obc_harmonics_fit_options, smoothing) == 16, "obc_harmonics_fit_options.smoothing");
+_Static_assert(offsetof(obc_harmonics_fit_options, regularization) == 16, "obc_harmonics_fit_options.regularization");
 _Static_assert(sizeof(obc_harmonics_fit_report) == 48, "obc_harmonics_fit_report");
 _Static_assert(offsetof(obc_harmonics_fit_report, struct_size) == 0, "obc_harmonics_fit_report.struct_size");
 _Static_assert(offsetof(obc_harmonics_fit_report, method) == 4, "obc_harmonics_fit_report.method");

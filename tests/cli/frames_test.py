@@ -158,7 +158,7 @@ class Frames(InFolder):
                 q = relative((q[0], -q[1], -q[2], -q[3]), g)  # and in its own axes
                 sign = choice.choice((1, -1))
                 file.write("%r %r %r %r\n" % tuple(sign * x for x in q))
-        after = self.figures(other, "-o", self.path("same.frames"), "--from", relabelled, "--unchanged")
+        after = self.figures(other, "-o", self.path("same.frames"), "--start-field", relabelled, "--unchanged")
         self.assertEqual(after["start"], "given")
         for key in ("interior_faces", "boundary_faces", "faces_above_30deg", "singular_edges", "curves", "loops", "nodes",
                     "boundary_ends", "dead_ends", "boundary_index_sum", "euler_characteristic", "locally_meshable",
@@ -271,11 +271,11 @@ class Frames(InFolder):
         with open(own, "w", encoding="ascii") as file:
             file.write("1 0 0 0\n" * len(cells))
         for options, named in ((("--method", "dissertation", "--start", "harmonic"), "--start"),
-                               (("--method", "dissertation", "--from", own), "--from"),
+                               (("--method", "dissertation", "--start-field", own), "--start-field"),
                                (("--method", "dissertation", "--rounds", "3"), "--rounds"),
                                (("--start", "harmonic", "--rounds", "3"), "--rounds"),
-                               (("--from", own, "--start", "harmonic"), "--start"),
-                               (("--from", own, "--unchanged", "--face-weights", "geometric"), "--face-weights"),
+                               (("--start-field", own, "--start", "harmonic"), "--start"),
+                               (("--start-field", own, "--unchanged", "--face-weights", "geometric"), "--face-weights"),
                                (("--crosses", "10"), "--crosses")):
             done = run("frames", path, "-o", out, *options)
             self.assertEqual(done.returncode, 2, options)
@@ -294,7 +294,7 @@ class Frames(InFolder):
             for _ in cells:
                 angle = choice.uniform(-0.1, 0.1)
                 file.write(f"{2 * math.cos(angle)} {2 * math.sin(angle)} 0 0\n")
-        self.assertLess(self.figures(path, "-o", out, "--from", own)["E"], 1e-9)
+        self.assertLess(self.figures(path, "-o", out, "--start-field", own)["E"], 1e-9)
         facts = self.figures(path, "-o", out, "--boundary", own)
         self.assertGreater(facts["E"], 0.01)
         held = 0
@@ -321,7 +321,7 @@ class Frames(InFolder):
                            ("1 0 0 nan\n" * len(cells), "non-finite"), ("1 0 0 0 0\n" * len(cells), "parse")):
             with open(own, "w", encoding="ascii") as file:
                 file.write(text)
-            self.refused(2, kind, own, "frames", path, "-o", out, "--from", own)
+            self.refused(2, kind, own, "frames", path, "-o", out, "--start-field", own)
         cells[0][0], cells[0][1] = cells[0][1], cells[0][0]
         write_medit(path, positions, cells)
         self.refused(2, "inverted-cell", path, "frames", path, "-o", out)

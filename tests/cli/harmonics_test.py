@@ -157,7 +157,7 @@ class Harmonics(InFolder):
         self.assertLess(report["rank"], 441)
         self.assertLessEqual(report["rank"], report["vertices"])
         self.assertTrue(any("rank-deficient" in note for note in report["notes"]))
-        smooth = self.fitted(path, sphere, 20, "c.sh", "--smoothing", 1e-6)
+        smooth = self.fitted(path, sphere, 20, "c.sh", "--regularization", 1e-6)
         self.assertEqual((smooth["rank"], smooth["notes"]), (441, []))
 
     def test_what_is_wrong_is_said(self):

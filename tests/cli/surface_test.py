@@ -171,7 +171,7 @@ class Surface(InFolder):
 
     def test_options(self):
         self.put("a.nii", nifti1() + packed("B", "<"))
-        _, report, _ = self.extracted("a.nii", "--label", 2, "--genus", "keep")
+        _, report, _ = self.extracted("a.nii", "--label", 2, "--keep-handles")
         self.assertEqual(report["certificate"]["genus"], 1)
         _, report, _ = self.extracted("a.nii", "--label", 7, "--max-slide", 0)
         self.assertEqual(report["largest_slide"], 0)
@@ -186,7 +186,7 @@ class Surface(InFolder):
         self.assertIn("kept 1 of 3 parts", text)
         _, report, text = self.extracted("b.nii", "--label", 2)
         self.assertIn("1 cavity filled, 1 voxel", text)
-        _, report, _ = self.extracted("b.nii", "--label", 2, "--genus", "keep", "--cavities")
+        _, report, _ = self.extracted("b.nii", "--label", 2, "--keep-handles", "--cavities")
         self.assertEqual(report["certificate"]["parts"], 2)
         border = [5] * len(LABELS)
         self.put("c.nii", nifti1() + packed("B", "<", border))
@@ -198,7 +198,7 @@ class Surface(InFolder):
         self.assertEqual((one.returncode, four.returncode), (0, 0))
         self.assertEqual(read_off(self.path("1.off")), read_off(self.path("4.off")))
         for options in (("--cavities",), ("--smoothing", 1, "--max-slide", 0), ("--max-slide", 0.5), ("--label", 0), ("--label", 2.5),
-                        ("--genus", "1"), ("--keep", -1)):
+                        ("--keep", -1)):
             self.refused("a.nii", "usage", options=options)
         self.refused("a.nii", "invalid-argument", "2 (", "7 (3 voxels)", "--label", options=())
         self.refused("a.nii", "invalid-argument", "no voxel has label 3; there are labels 2 (", "7 (3 voxels)", options=("--label", 3))

@@ -172,8 +172,8 @@ class Untangle(InFolder):
         self.refused(2, "unsupported-format", self.path("out.stl"), "untangle", flat, "-o", self.path("out.stl"))
         done = run("untangle", flat, "-o", out, "--solver", "petsc")
         self.assertEqual(done.returncode, 2)
-        self.refused(1, "no-valid-result", out, "untangle", flat, "-o", out, "--steps", 0)
-        self.assertEqual(run("untangle", flat, "-o", out, "--steps", 0, "--keep-partial").returncode, 1)
+        self.refused(1, "no-valid-result", out, "untangle", flat, "-o", out, "--max-steps", 0)
+        self.assertEqual(run("untangle", flat, "-o", out, "--max-steps", 0, "--keep-partial").returncode, 1)
         self.assertTrue(os.path.exists(out))
 
     def test_all_are_positive_and_the_boundary_stays(self):
@@ -225,9 +225,9 @@ class Untangle(InFolder):
     def test_without_steps_it_fails_and_keeps_what_it_has_on_request(self):
         self.tangled(3)
         out, tangled = self.path("out.mesh"), self.path("tangled.mesh")
-        self.refused(1, "no-valid-result", out, "untangle", tangled, "-o", out, "--steps", 0)
+        self.refused(1, "no-valid-result", out, "untangle", tangled, "-o", out, "--max-steps", 0)
         self.assertFalse(os.path.exists(out))
-        done = run("untangle", tangled, "-o", out, "--steps", 0, "--keep-partial")
+        done = run("untangle", tangled, "-o", out, "--max-steps", 0, "--keep-partial")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(read_medit(out), read_medit(tangled))
 

@@ -202,13 +202,13 @@ TEST_CASE("A hole in the samples is reported by the condition, and as rank-defic
   CHECK(report.rank < report.unknowns);
   CHECK(report.rank > report.unknowns / 2);
   // Smoothing makes up for what is missing.
-  fit(directions, {}, values, 1, {.degree = 30, .method = FitMethod::iterative, .smoothing = 1e-6}, host, report);
+  fit(directions, {}, values, 1, {.degree = 30, .method = FitMethod::iterative, .regularization = 1e-6}, host, report);
   CHECK(report.rank == report.unknowns);
 }
 
 TEST_CASE("Smoothing minimizes the sum with the squared Laplacian, by both methods") {
   constexpr std::uint32_t degree = 6;
-  constexpr double smoothing = 2e-3;
+  constexpr double regularization = 2e-3;
   const Problem p = problem(degree, 1, 300, 0.2, 18);
   Eigen::MatrixXd rows;
   Eigen::MatrixXd matrix = gram(p, degree, rows);
@@ -216,12 +216,13 @@ TEST_CASE("Smoothing minimizes the sum with the squared Laplacian, by both metho
   for (std::uint32_t l = 0; l <= degree; ++l) {
     const double laplacian = l * (l + 1.0);
     for (auto k = static_cast<Eigen::Index>(l * l); k < static_cast<Eigen::Index>(basis_size(l)); ++k)
-      matrix(k, k) += smoothing * w.sum() / (4 * std::numbers::pi) * laplacian * laplacian;
+      matrix(k, k) += regularization * w.sum() / (4 * std::numbers::pi) * laplacian * laplacian;
   }
   const Eigen::VectorXd exact = matrix.ldlt().solve(rows.transpose() * w.cwiseProduct(f));
   for (const FitMethod method : {FitMethod::dense, FitMethod::iterative}) {
     FitReport report;
-    const Coefficients found = fitted(p, {.degree = degree, .method = method, .smoothing = smoothing}, report);
+    const Coefficients found =
+        fitted(p, {.degree = degree, .method = method, .regularization = regularization}, report);
     CHECK((Eigen::Map<const Eigen::VectorXd>(found.values.data(), exact.size()) - exact).norm() < 1e-11 * exact.norm());
   }
 }
@@ -276,6 +277,6 @@ TEST_CASE("What cannot be fitted is refused") {
     p.weights.clear();
   });
   refused([](Problem&, FitOptions& o) { o.degree = largest_degree + 1; });
-  refused([](Problem&, FitOptions& o) { o.smoothing = -1; });
+  refused([](Problem&, FitOptions& o) { o.regularization = -1; });
   refused([](Problem&, FitOptions& o) { o.method = static_cast<FitMethod>(7); });
 }

@@ -152,12 +152,12 @@ TEST_CASE("High degrees: the residual is orthogonal to the basis, in the same bi
   CHECK(found.values == fit(p.directions, p.weights, p.values, 3, {.degree = 80}, three, report).values);
 }
 
-TEST_CASE("High degrees: smoothing minimizes the sum with the squared Laplacian" * doctest::test_suite("long")) {
+TEST_CASE("High degrees: regularization minimizes the sum with the squared Laplacian" * doctest::test_suite("long")) {
   const LargeProblem p(80, 1, 12'000, 0.3, 35);
-  constexpr double smoothing = 1e-5;
+  constexpr double regularization = 1e-5;
   FitReport report;
   const Coefficients found =
-      fit(p.directions, p.weights, p.values, 1, {.degree = 80, .smoothing = smoothing}, host, report);
+      fit(p.directions, p.weights, p.values, 1, {.degree = 80, .regularization = regularization}, host, report);
   CHECK(report.rank == report.unknowns);
   std::vector<double> rest(p.values.size());
   synthesise(found, p.directions, rest, host);
@@ -172,7 +172,7 @@ TEST_CASE("High degrees: smoothing minimizes the sum with the squared Laplacian"
   analyse(p.directions, p.weights, p.values, first, "test", host);
   for (std::uint32_t l = 0; l <= 80; ++l) {
     for (std::size_t k = l * l; k < basis_size(l); ++k)
-      gradient.values[k] -= smoothing_penalty(samples, {.smoothing = smoothing}, l) * found.values[k];
+      gradient.values[k] -= regularization_penalty(samples, {.regularization = regularization}, l) * found.values[k];
   }
   CHECK(norm(gradient.values) < 1e-11 * norm(first.values));
 }

@@ -130,8 +130,10 @@ void put_pass(Bytes& lines, std::uint32_t side, std::uint32_t x0, std::uint32_t 
 
 TEST_CASE("Another reader finds the pixels of a PNG file") {
   const std::vector<std::uint8_t> palette = {235, 235, 235, 70, 110, 160, 1, 2, 3};
-  for (const auto& [bits, color, width] :
-       {std::tuple{1, PngColor::palette, 77}, {8, PngColor::palette, 31}, {8, PngColor::rgb, 53}, {16, PngColor::rgb, 40}}) {
+  for (const auto& [bits, color, width] : {std::tuple{1, PngColor::palette, 77},
+                                           {8, PngColor::palette, 31},
+                                           {8, PngColor::rgb, 53},
+                                           {16, PngColor::rgb, 40}}) {
     PngImage image;
     image.width = static_cast<std::uint32_t>(width);
     image.height = 61;
@@ -204,12 +206,18 @@ TEST_CASE("Geometry images of other programs are read: interlaced, with texts be
   constexpr std::uint32_t side = 5;
   Bytes plain, passes;
   put_pass(plain, side, 0, 0, 1, 1);
-  for (const auto& [x0, y0, dx, dy] :
-       {std::array{0U, 0U, 8U, 8U}, {4U, 0U, 8U, 8U}, {0U, 4U, 4U, 8U}, {2U, 0U, 4U, 4U}, {0U, 2U, 2U, 4U},
-        {1U, 0U, 2U, 2U}, {0U, 1U, 1U, 2U}})
+  for (const auto& [x0, y0, dx, dy] : {std::array{0U, 0U, 8U, 8U},
+                                       {4U, 0U, 8U, 8U},
+                                       {0U, 4U, 4U, 8U},
+                                       {2U, 0U, 4U, 4U},
+                                       {0U, 2U, 2U, 4U},
+                                       {1U, 0U, 2U, 2U},
+                                       {0U, 1U, 1U, 2U}})
     put_pass(passes, side, x0, y0, dx, dy);
   Bytes text;
-  for (const char c : std::string("orbicube-box\0" "0 0 0 65535 131070 65535", 13 + 24))
+  for (const char c : std::string("orbicube-box\0"
+                                  "0 0 0 65535 131070 65535",
+                                  13 + 24))
     text.push_back(static_cast<std::byte>(c));
   const auto read = [](const Bytes& file) { return sphere_map::image_of_png(file, base::Host()); };
   const auto image = read(file_of(side, false, plain, {})), in_passes = read(file_of(side, true, passes, {})),

@@ -337,7 +337,7 @@ export const layouts = {
       degree: ['u32', 4],
       method: ['i32', 8],
       reserved: ['i32', 12],
-      smoothing: ['f64', 16],
+      regularization: ['f64', 16],
     },
   },
   obc_harmonics_fit_report: {

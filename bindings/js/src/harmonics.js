@@ -30,7 +30,7 @@ export function evaluate(directions, degree, host = {}) {
 
 /**
  * The coefficients that fit values at scattered directions best, and a report. `channels`: values a direction, 3 if it is not said;
- * `weights`: one a direction, as vertexAreas() has them; degree, method ("automatic", "dense", "iterative") and smoothing.
+ * `weights`: one a direction, as vertexAreas() has them; degree, method ("automatic", "dense", "iterative") and regularization.
  */
 export function fit(directions, values, given = {}) {
   const [host, { channels = 3, weights, ...chosen }] = split(given);

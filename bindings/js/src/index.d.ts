@@ -323,7 +323,7 @@ export namespace harmonics {
   interface FitOptions extends Channels {
     degree?: number;
     method?: 'automatic' | 'dense' | 'iterative';
-    smoothing?: number;
+    regularization?: number;
     /** One a direction, as vertexAreas() has them. */
     weights?: Numbers;
   }

@@ -79,9 +79,9 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="maximum degree L, up to 1000. Default: 16."),
         Option("method", "word", "automatic", words={"automatic": 0, "dense": 1, "iterative": 2},
                doc="OBC_HARMONICS_AUTOMATIC, DENSE or ITERATIVE. Default: AUTOMATIC."),
-        Option("smoothing", "float", 0.0,
-               doc="Regularization, nonnegative: adds smoothing * (mean density of the weights) * (integral of the squared "
-                   "Laplacian of the fit) to the objective. Default: 0."),
+        Option("regularization", "float", None,
+               doc="Weight of the integral of the squared Laplacian of the fit, relative to the mean density of the "
+                   "weights, in the objective, for samples that do not determine the fit; nonnegative. Default: 0."),
     ),
     "obc_harmonics_align_options": (
         Option("turn_values", "bool", False,

@@ -65,7 +65,8 @@ def evaluate(directions: ArrayLike, degree: int, *, threads: int = 0, progress: 
 @with_options("obc_harmonics_fit_options")
 def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] = None, *,
         # options of obc_harmonics_fit_options, written by scripts/bindings.py
-        degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic", smoothing: float = 0.0,
+        degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic",
+        regularization: Optional[float] = None,
         # end of options
         threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_harmonics_fit_report]:
     """The coefficients that fit values at scattered directions best, and a report."""
@@ -86,7 +87,8 @@ def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] =
 @with_options("obc_harmonics_fit_options")
 def refine_map(surface: Any, directions: ArrayLike, weights: Optional[ArrayLike] = None, *, rounds: int = 10,
                # options of obc_harmonics_fit_options, written by scripts/bindings.py
-               degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic", smoothing: float = 0.0,
+               degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic",
+               regularization: Optional[float] = None,
                # end of options
                threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_harmonics_refinement_report]:
     """A sphere map moved to where the surface of the degree comes nearest to the vertices, and a report; a bijection stays one."""

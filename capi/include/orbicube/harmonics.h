@@ -60,9 +60,9 @@ typedef struct obc_harmonics_fit_options {
   int32_t method;  /* OBC_HARMONICS_AUTOMATIC, DENSE or ITERATIVE. Default: AUTOMATIC. */
   int32_t reserved;
 
-  /* Regularization, nonnegative: adds smoothing * (mean density of the weights) * (integral of the squared Laplacian of the fit) to
-   * the objective. Default: 0. */
-  double smoothing;
+  /* Weight of the integral of the squared Laplacian of the fit, relative to the mean density of the weights, in the objective, for
+   * samples that do not determine the fit; nonnegative. Default: 0. */
+  double regularization;
 } obc_harmonics_fit_options;
 
 /* Figures of a fit. */

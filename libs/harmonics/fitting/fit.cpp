@@ -22,7 +22,8 @@ FitSamples checked(std::span<const Vector3> directions, std::span<const double> 
                    std::size_t channels, const FitOptions& options) {
   const auto wrong = [](const std::string& text) -> base::Error { return {"invalid-argument", text}; };
   require_degree(options.degree);
-  if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing)) throw wrong("smoothing is negative");
+  if (!(options.regularization >= 0) || !std::isfinite(options.regularization))
+    throw wrong("regularization is negative");
   if (options.method < FitMethod::automatic || options.method > FitMethod::iterative) throw wrong("unknown method");
   if (channels == 0) throw wrong("no values");
   if (directions.empty()) throw wrong("no directions");
@@ -52,7 +53,7 @@ constexpr std::uint64_t max_iterations = 2000;  // in each
 Coefficients fit_dense(const FitSamples& samples, const FitOptions& options, const base::Host& host,
                        FitReport& report) {
   const std::size_t unknowns = basis_size(options.degree), n = samples.count(), channels = samples.channels;
-  const std::size_t rows = n + (options.smoothing > 0 ? unknowns : 0);
+  const std::size_t rows = n + (options.regularization > 0 ? unknowns : 0);
   Array<double> matrix(rows * unknowns, host.memory), right(rows * channels, host.memory),
       x(unknowns * channels, host.memory);
   {
@@ -68,7 +69,7 @@ Coefficients fit_dense(const FitSamples& samples, const FitOptions& options, con
   }
   for (std::uint32_t l = 0; l <= options.degree && rows > n; ++l) {
     for (std::size_t k = basis_index(l, -static_cast<std::int32_t>(l)); k < basis_size(l); ++k)
-      matrix[k * rows + n + k] = std::sqrt(smoothing_penalty(samples, options, l));
+      matrix[k * rows + n + k] = std::sqrt(regularization_penalty(samples, options, l));
   }
   const DenseSolution solution = solve_dense(matrix, rows, unknowns, right, channels, x, host);
   report.rank = solution.rank;
@@ -88,7 +89,7 @@ class NormalEquations {
         penalties_(basis_size(options.degree), host.memory) {
     for (std::uint32_t l = 0; l <= options.degree; ++l) {
       for (std::size_t k = std::size_t{l} * l; k < basis_size(l); ++k)
-        penalties_[k] = smoothing_penalty(samples, options, l);
+        penalties_[k] = regularization_penalty(samples, options, l);
     }
   }
 
@@ -198,13 +199,14 @@ void refuse_too_high_degree(std::size_t samples, const FitOptions& options) {
       options.degree < large_fit_degree ? 5e-8 * (max_passes * max_iterations + 4 * degree) : 1.5e-8 * most;
   const double seconds = std::max(60.0, seconds_of_cube * std::pow(degree + 1, 3));
   const auto highest = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))) - 1;
-  throw base::Error("invalid-argument", "degree " + std::to_string(options.degree) + " has " +
-                                            base::counted(basis_size(options.degree), "coefficient") +
-                                            ", more than the " + base::counted(samples, "sample") + ", and may take " +
-                                            (seconds < 7200 ? base::counted(std::lround(seconds / 60), "minute")
-                                                            : base::counted(std::lround(seconds / 3600), "hour")) +
-                                            "; that many samples determine degree " + std::to_string(highest) +
-                                            ": lower the degree, or set smoothing, or choose the iterative method");
+  throw base::Error("invalid-argument",
+                    "degree " + std::to_string(options.degree) + " has " +
+                        base::counted(basis_size(options.degree), "coefficient") + ", more than the " +
+                        base::counted(samples, "sample") + ", and may take " +
+                        (seconds < 7200 ? base::counted(std::lround(seconds / 60), "minute")
+                                        : base::counted(std::lround(seconds / 3600), "hour")) +
+                        "; that many samples determine degree " + std::to_string(highest) +
+                        ": lower the degree, or set a regularization, or choose the iterative method");
 }
 
 }  // namespace
@@ -224,8 +226,8 @@ Coefficients fit(std::span<const Vector3> directions, std::span<const double> we
   report.unknowns = basis_size(options.degree);
   const double n = static_cast<double>(samples.count()), k = static_cast<double>(report.unknowns);
   constexpr double dense_work = 5e8;
-  const bool dense = n * k * k <= dense_work || (n < k && options.smoothing == 0 && n * n * k <= dense_work);
-  if (options.method == FitMethod::automatic && !dense && n < k && options.smoothing == 0)
+  const bool dense = n * k * k <= dense_work || (n < k && options.regularization == 0 && n * n * k <= dense_work);
+  if (options.method == FitMethod::automatic && !dense && n < k && options.regularization == 0)
     refuse_too_high_degree(samples.count(), options);
   report.method = options.method != FitMethod::automatic ? options.method
                   : dense                                ? FitMethod::dense

@@ -1,7 +1,7 @@
 // Coefficients from samples at scattered directions, by weighted least squares (the dissertation's section 3.3.1 takes
 // the integral of f Y_lm; on scattered samples its sum is no projection, and diverges as the degree grows).
 //
-// Minimized is  sum_i w_i |f_i - sum a_lm Y_lm(i)|^2 + smoothing (sum_i w_i / 4 pi) sum (l (l + 1))^2 |a_lm|^2,
+// Minimized is  sum_i w_i |f_i - sum a_lm Y_lm(i)|^2 + regularization (sum_i w_i / 4 pi) sum (l (l + 1))^2 |a_lm|^2,
 // the second term being the integral of the squared Laplacian of the fit, times the mean density of the weights.
 //
 // dense: Householder QR with column pivoting, which sees the rank (householder.h). O(n k^2) for k = (degree + 1)^2.
@@ -25,15 +25,15 @@ enum class FitMethod : std::int32_t { automatic = 0, dense = 1, iterative = 2 };
 struct FitOptions {
   std::uint32_t degree = 16;
   FitMethod method = FitMethod::automatic;  // dense when n k^2 is at most 5e8 or n < k
-  double smoothing = 0;                     // not negative
+  double regularization = 0;                // not negative
 };
 
 struct FitReport {
   FitMethod method = FitMethod::dense;  // that was used
   std::size_t unknowns = 0;             // (degree + 1)^2
-  // How many combinations of coefficients the samples (and the smoothing) determine; fewer than `unknowns` when the
-  // fit is rank-deficient, and zero when the iterative method found the fit too ill-conditioned to tell (degree above
-  // 40).
+  // How many combinations of coefficients the samples (and the regularization) determine; fewer than `unknowns` when
+  // the fit is rank-deficient, and zero when the iterative method found the fit too ill-conditioned to tell (degree
+  // above 40).
   std::size_t rank = 0;
   double condition = 0;          // estimate of the condition of the weighted basis matrix, within the rank
   double residual = 0;           // root of the mean of |f - fit|^2, by weights
@@ -44,7 +44,7 @@ struct FitReport {
 // weight zero do not matter. A rank-deficient fit returns coefficients of (about) the minimum length among the best:
 // look at report.rank. Same bits for any number of threads.
 // Throws Error: invalid-argument (sizes, what is not finite, no weight at all; by the automatic method, more unknowns
-// than samples without smoothing where that would take long), cancelled, out-of-memory.
+// than samples without regularization where that would take long), cancelled, out-of-memory.
 Coefficients fit(std::span<const Vector3> directions, std::span<const double> weights, std::span<const double> values,
                  std::size_t channels, const FitOptions& options, const base::Host& host, FitReport& report);
 

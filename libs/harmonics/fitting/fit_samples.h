@@ -18,10 +18,10 @@ struct FitSamples {
   double weight(std::size_t i) const { return weights.empty() ? 1 : weights[i]; }
 };
 
-// What the smoothing adds to the diagonal of the normal equations, for each degree.
-inline double smoothing_penalty(const FitSamples& samples, const FitOptions& options, std::uint32_t l) {
+// What the regularization adds to the diagonal of the normal equations, for each degree.
+inline double regularization_penalty(const FitSamples& samples, const FitOptions& options, std::uint32_t l) {
   const double degree = l, laplacian = degree * (degree + 1);
-  return options.smoothing * samples.total_weight / (4 * std::numbers::pi) * laplacian * laplacian;
+  return options.regularization * samples.total_weight / (4 * std::numbers::pi) * laplacian * laplacian;
 }
 
 // The moments of the weights up to twice the degree of a fit: sum of w_i Y_lm(i).

@@ -40,7 +40,7 @@ class LargeNormalEquations {
     const double mean = samples.total_weight / (4 * std::numbers::pi);
     set_inverse(moments, options.degree, mean, host);
     for (std::uint32_t l = 0; l <= options.degree; ++l) {
-      const double penalty = smoothing_penalty(samples, options, l);
+      const double penalty = regularization_penalty(samples, options, l);
       penalties_.insert(penalties_.end(), 2 * std::size_t{l} + 1, penalty);
       damping_.insert(damping_.end(), 2 * std::size_t{l} + 1, std::sqrt(mean / (mean + penalty)));
     }

@@ -162,8 +162,7 @@ GeometryImage from_pfm(std::span<const std::byte> bytes, const base::Host& host)
 
 void set_png_size(GeometryImage& image, std::size_t width, std::size_t height, std::size_t file_bytes) {
   // Deflate makes a byte of at most 1032; a pixel is at least a bit. No memory for what cannot be there.
-  if (width * height / 8 > 1032 * file_bytes)
-    throw base::Error("truncated", "the file has fewer pixels than it says");
+  if (width * height / 8 > 1032 * file_bytes) throw base::Error("truncated", "the file has fewer pixels than it says");
   set_size(image, width, height);
 }
 

@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   obc_harmonics_fit_options_init(&options, sizeof options);
   options.degree = degree;
   options.method = in.choice(3);
-  options.smoothing = in.one_in(3) ? in.number() : 0;
+  options.regularization = in.one_in(3) ? in.number() : 0;
   obc_harmonics_fit_report report;
   obc_harmonics_fit_report_init(&report, sizeof report);
   ok([&](obc_error* e) {

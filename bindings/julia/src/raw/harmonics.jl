@@ -13,7 +13,7 @@ mutable struct obc_harmonics_fit_options <: CStruct
     degree::UInt32
     method::Int32
     reserved::Int32
-    smoothing::Float64
+    regularization::Float64
     obc_harmonics_fit_options() = zeroed!(new())
 end
 

@@ -20,7 +20,7 @@ class obc_harmonics_fit_options(_Struct):
         ("degree", _c.c_uint32),
         ("method", _c.c_int32),
         ("reserved", _c.c_int32),
-        ("smoothing", _c.c_double),
+        ("regularization", _c.c_double),
     ]
 
 

@@ -16,8 +16,8 @@ class obc_harmonics_fit_options(Struct):
     degree: int
     method: int
     reserved: int
-    smoothing: float
-    def __init__(self, struct_size: int = ..., degree: int = ..., method: int = ..., reserved: int = ..., smoothing: float = ...) -> None: ...
+    regularization: float
+    def __init__(self, struct_size: int = ..., degree: int = ..., method: int = ..., reserved: int = ..., regularization: float = ...) -> None: ...
 
 class obc_harmonics_fit_report(Struct):
     struct_size: int

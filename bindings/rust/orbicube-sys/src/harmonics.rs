@@ -37,9 +37,9 @@ pub struct obc_harmonics_fit_options {
     /// OBC\_HARMONICS\_AUTOMATIC, DENSE or ITERATIVE. Default: AUTOMATIC.
     pub method: i32,
     pub reserved: i32,
-    /// Regularization, nonnegative: adds smoothing \* (mean density of the weights) \* (integral of the squared Laplacian of the fit) to
-    /// the objective. Default: 0.
-    pub smoothing: f64,
+    /// Weight of the integral of the squared Laplacian of the fit, relative to the mean density of the weights, in the objective, for
+    /// samples that do not determine the fit; nonnegative. Default: 0.
+    pub regularization: f64,
 }
 
 /// Figures of a fit.
@@ -193,7 +193,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).degree) } as usize - start as usize, 4, "obc_harmonics_fit_options.degree");
         assert_eq!(unsafe { addr_of!((*start).method) } as usize - start as usize, 8, "obc_harmonics_fit_options.method");
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 12, "obc_harmonics_fit_options.reserved");
-        assert_eq!(unsafe { addr_of!((*start).smoothing) } as usize - start as usize, 16, "obc_harmonics_fit_options.smoothing");
+        assert_eq!(unsafe { addr_of!((*start).regularization) } as usize - start as usize, 16, "obc_harmonics_fit_options.regularization");
         assert_eq!((size_of::<obc_harmonics_fit_report>(), align_of::<obc_harmonics_fit_report>()), (48, 8));
         let it = MaybeUninit::<obc_harmonics_fit_report>::uninit();
         let start = it.as_ptr();
