@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "flat_cases.h"
 #include "mesh/search/predicates.h"
+#include "untangle/foldover.h"
 
 using namespace orbicube;
 using namespace orbicube::untangle;

@@ -105,12 +105,7 @@ class FeatureSearch {
   static constexpr double kept = 0.8;  // of what the worst hexahedron was, or of its bound
 
   double quality(Index hexahedron) const { return searched_quality(mesh_.positions, mesh_.hexahedra[hexahedron]); }
-  double worst_around(Index v) const {
-    double worst = 1;
-    for (const Index h : around_[v])
-      worst = std::min(worst, quality(h));
-    return worst;
-  }
+  double worst_around(Index v) const { return worst_searched_quality(mesh_, around_[v]); }
   double sum_around(Index v) const {
     double sum = 0;
     for (const Index h : around_[v])

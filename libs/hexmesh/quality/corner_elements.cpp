@@ -44,6 +44,13 @@ double searched_quality(std::span<const Vector3> positions, const Hexahedron& he
   return std::min(corners, 3 * min_bezier(positions, hexahedron));
 }
 
+double worst_searched_quality(const HexMesh& mesh, std::span<const Index> chosen) {
+  double worst = 1;
+  for (const Index i : chosen)
+    worst = std::min(worst, searched_quality(mesh.positions, mesh.hexahedra[i]));
+  return worst;
+}
+
 Array<Index> vertices_of_worst(std::span<const Hexahedron> hexahedra, Array<std::pair<double, Index>> rated,
                                std::size_t most) {
   std::sort(rated.begin(), rated.end());

@@ -24,6 +24,8 @@ void weigh_corners(std::span<const Vector3> positions, double most, Array<Elemen
 
 // For searches: the scaled Jacobian, or less where the determinant may not be positive between good corners.
 double searched_quality(std::span<const Vector3> positions, const Hexahedron& hexahedron);
+// The minimum of the chosen ones, at most 1.
+double worst_searched_quality(const HexMesh& mesh, std::span<const Index> chosen);
 
 // The vertices of the worst hexahedra, at most `most` of those that `rated` has with their quality, ascending.
 Array<Index> vertices_of_worst(std::span<const Hexahedron> hexahedra, Array<std::pair<double, Index>> rated,

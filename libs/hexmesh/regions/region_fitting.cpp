@@ -163,12 +163,7 @@ class RegionFit {
   }
 
   double quality(Index hexahedron) const { return searched_quality(mesh_.positions, mesh_.hexahedra[hexahedron]); }
-  double worst_around(Index v) const {
-    double worst = 1;
-    for (const Index i : around_[v])
-      worst = std::min(worst, quality(i));
-    return worst;
-  }
+  double worst_around(Index v) const { return worst_searched_quality(mesh_, around_[v]); }
   // What a hexahedron is below good. The fourth power: the worst count most, but none becomes bad for another.
   double missing_around(Index v) const {
     constexpr double good = 0.5;

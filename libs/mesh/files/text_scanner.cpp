@@ -120,6 +120,15 @@ void TextScanner::require_more(const char* what) {
   if (at_ == end_) fail("truncated", std::string("the file ends where ") + what + " was expected");
 }
 
+Vector3 TextScanner::point_after_space() {
+  Vector3 point;
+  for (double& x : point) {
+    skip_space();
+    x = coordinate("a coordinate");
+  }
+  return point;
+}
+
 double TextScanner::coordinate(const char* what) {
   require_more(what);
   const char* start = at_;

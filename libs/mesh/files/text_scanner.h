@@ -62,6 +62,9 @@ class TextScanner {
   // Whether a letter is next, as opposed to a number; not at the end of the file.
   bool at_letter() const { return (*at_ >= 'A' && *at_ <= 'Z') || (*at_ >= 'a' && *at_ <= 'z'); }
 
+  // Three coordinates, likewise.
+  Vector3 point_after_space();
+
   // A number at the place reached, in this line (after blanks). Throws "parse", naming `what` was expected and what was
   // found, "truncated" where the file ends there, "non-finite" for what is no finite number.
   double coordinate(const char* what);

@@ -151,11 +151,7 @@ class MeditReader {
     mesh_.positions.reserve(n);
     begin_references();
     for (std::uint64_t v = 0; v < n; ++v) {
-      Vector3 p;
-      for (double& x : p) {
-        scanner_.skip_space();
-        x = scanner_.coordinate("a coordinate");
-      }
+      const Vector3 p = scanner_.point_after_space();
       compare(reference());
       mesh_.positions.push_back(p);
       scanner_.progress();

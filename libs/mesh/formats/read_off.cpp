@@ -47,12 +47,7 @@ Mesh read_off(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
   std::size_t of_vertices = 0, of_faces = 0;
   mesh.positions.reserve(vertex_count);
   for (std::uint64_t v = 0; v < vertex_count; ++v) {
-    Vector3 p;
-    for (double& x : p) {
-      scanner.skip_space();
-      x = scanner.coordinate("a coordinate");
-    }
-    mesh.positions.push_back(p);
+    mesh.positions.push_back(scanner.point_after_space());
     of_vertices += !scanner.at_end_of_line();
     scanner.next_line();  // colors, normals and the like
     scanner.progress();

@@ -151,7 +151,7 @@ class Fit {
   double worst_at(const Vector2d& place) const {
     double worst = 0;
     for (const UnfoldedStar::Corner& t : star_.triangles)
-      worst = std::max(worst, distortion(jacobian(t.rest, place, t.a, t.b)));
+      worst = std::max(worst, untangle::barrier(jacobian(t.rest, place, t.a, t.b)));
     return worst;
   }
 

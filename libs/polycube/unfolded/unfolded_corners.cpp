@@ -91,7 +91,7 @@ class CornerMoves {
   double triangle_energy(Index p, Index q, Index r, const Vector2d& a, const Vector2d& b, const Vector2d& c) const {
     if (mesh::orientation_2d(a, b, c) <= 0) return base::infinity;
     const RestTriangle rest = weights_.rest(surface_, p, q, r);
-    return weights_.weight(rest) * distortion(jacobian(rest, a, b, c));
+    return weights_.weight(rest) * untangle::barrier(jacobian(rest, a, b, c));
   }
   double energy_of(Index f) const {
     const Triangle& t = surface_.triangle[f];

@@ -125,7 +125,7 @@ class System {
   double energy(std::span<const Vector2d> place) const {
     double sum = 0;
     for (const Element& e : elements_)
-      sum += e.weight * distortion(jacobian_of(e, place));
+      sum += e.weight * untangle::barrier(jacobian_of(e, place));
     for (const Tie& t : ties_)
       sum += t.tie.energy(place[t.variable]);
     return sum;
@@ -154,7 +154,7 @@ class System {
   // Adds the energy's derivatives to gradient and matrix; returns the energy.
   double add(const Element& e) {
     const Eigen::Matrix2d j = jacobian_of(e, place_);
-    const Derivatives of(j);
+    const untangle::BarrierDerivatives of(j);
     // Columns: coordinates of each corner in its own plane.
     Eigen::Matrix<double, 4, 6> b;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -165,8 +165,8 @@ class System {
         column.tail<2>() = way.y() * e.rest.hat[k];
       }
     }
-    const Eigen::Matrix<double, 6, 1> slope = e.weight * (b.transpose() * of.first);
-    const Eigen::Matrix<double, 6, 6> block = e.weight * (b.transpose() * of.second * b);
+    const Eigen::Matrix<double, 6, 1> slope = e.weight * (b.transpose() * of.gradient);
+    const Eigen::Matrix<double, 6, 6> block = e.weight * (b.transpose() * of.block * b);
     const auto part = [&](std::size_t row, std::size_t column) {
       return block.block<2, 2>(static_cast<Eigen::Index>(2 * row), static_cast<Eigen::Index>(2 * column));
     };
@@ -179,7 +179,7 @@ class System {
       if (e.place[k] != no_index)
         matrix_.lower[e.place[k]] += v > e.variable[next[k]] ? part(k, next[k]) : part(next[k], k);
     }
-    return e.weight * distortion(j);
+    return e.weight * untangle::barrier(j);
   }
 
   // Rows and columns of what stays get nothing but their diagonal.

@@ -79,7 +79,7 @@ class Smoothing {
     star_.gather(map_, weights_, v);
     double now = 0;
     for (const UnfoldedStar::Corner& t : star_.triangles)
-      now += distortion(jacobian(t.rest, map_.image[v], t.a, t.b)) - isometry;
+      now += untangle::barrier(jacobian(t.rest, map_.image[v], t.a, t.b)) - isometry;
     double least = now;
     Index best = no_index;
     surface_.for_each_outgoing(v, [&](Index h) {
@@ -95,7 +95,7 @@ class Smoothing {
         if (!sides_.up(x / 3, w, a, b) || mesh::orientation_2d(there, t.a, t.b) <= 0)
           sum = std::numeric_limits<double>::infinity();
         else
-          sum += distortion(jacobian(weights_.rest(surface_, w, a, b), there, t.a, t.b)) - isometry;
+          sum += untangle::barrier(jacobian(weights_.rest(surface_, w, a, b), there, t.a, t.b)) - isometry;
       });
       if (!(sum < least) || !surface_.can_collapse(h)) return;
       least = sum;

@@ -41,7 +41,7 @@ void UnfoldedStar::gather(const UnfoldedMap& map, const TriangleWeights& weights
 double UnfoldedStar::energy(const Vector2d& place) const {
   double sum = tie == nullptr ? 0 : tie->energy(place);
   for (const Corner& t : triangles)
-    sum += t.weight * distortion(jacobian(t.rest, place, t.a, t.b));
+    sum += t.weight * untangle::barrier(jacobian(t.rest, place, t.a, t.b));
   return sum;
 }
 
@@ -57,15 +57,15 @@ Vector2d UnfoldedStar::improved(const Vector2d& place, double& before, double& g
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
   for (const Corner& t : triangles) {
     const Eigen::Matrix2d j = jacobian(t.rest, place, t.a, t.b);
-    const double one = distortion(j);
+    const double one = untangle::barrier(j);
     if (!std::isfinite(one)) return place;
     value += t.weight * one;
-    const Derivatives of(j);
+    const untangle::BarrierDerivatives of(j);
     const Vector2d& hat = t.rest.hat[0];
     for (Eigen::Index r = 0; r < 2; ++r) {
-      gradient[r] += t.weight * hat.dot(of.first.segment<2>(2 * r));
+      gradient[r] += t.weight * hat.dot(of.gradient.segment<2>(2 * r));
       for (Eigen::Index s = 0; s < 2; ++s)
-        hessian(r, s) += t.weight * hat.dot(of.second.block<2, 2>(2 * r, 2 * s) * hat);
+        hessian(r, s) += t.weight * hat.dot(of.block.block<2, 2>(2 * r, 2 * s) * hat);
     }
   }
   if (tie != nullptr) {

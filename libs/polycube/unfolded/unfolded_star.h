@@ -1,8 +1,9 @@
 // The triangles around one vertex of an unfolded map, seen in the vertex's plane, and where the vertex should go.
 #pragma once
 
-#include "polycube/surface/triangle_distortion.h"
+#include "polycube/surface/triangle_rest.h"
 #include "polycube/unfolded/unfolded_map.h"
+#include "untangle/triangles/barrier.h"
 
 namespace orbicube::polycube {
 

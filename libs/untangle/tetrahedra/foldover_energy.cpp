@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "untangle/foldover.h"
+
 namespace orbicube::untangle {
 namespace {
 
@@ -12,17 +14,6 @@ constexpr std::size_t piece = 1024;
 // Elements between two reports: some milliseconds of one core.
 constexpr std::size_t slab = 64 * piece;
 constexpr double power = 2.0 / 3;
-
-struct Chi {
-  double value, rate;  // chi, chi' / chi
-};
-
-Chi chi_and_rate(double determinant, double eps) {
-  const double root = std::sqrt(eps * eps + determinant * determinant);
-  // Without cancellation on the negative side.
-  const double value = determinant > 0 ? 0.5 * (determinant + root) : 0.5 * eps * eps / (root - determinant);
-  return {value, 1 / root};
-}
 
 Eigen::Matrix3d cofactors(const Eigen::Matrix3d& j) {
   Eigen::Matrix3d c;
@@ -102,7 +93,7 @@ EnergyValue FoldoverEnergy::value(std::span<const double> values, double eps) {
           continue;
         }
       }
-      const double chi = chi_and_rate(d, eps).value;
+      const double chi = chi_of(d, eps).value;
       sum.energy += elements_[i].weight * (j.squaredNorm() / power_of(chi) + lambda_ * (1 + d * d) / chi);
     }
     partial_[begin / piece] = sum;
@@ -129,7 +120,8 @@ void FoldoverEnergy::linearise(std::span<const double> values, double eps, std::
       const Eigen::Matrix3d j = element.jacobian(positions_);
       const Eigen::Matrix3d c = cofactors(j);
       const double d = j.col(0).dot(c.col(0));
-      const auto [chi, t] = chi_and_rate(d, eps);
+      const auto [chi, root] = chi_of(d, eps);
+      const double t = 1 / root;  // chi' / chi
       const double angle = element.weight / power_of(chi);
       const double volume = element.weight * lambda_ / chi;
       const double squares = j.squaredNorm();

@@ -7,6 +7,7 @@
 
 #include "base/backtracking.h"
 #include "untangle/flip_bound.h"
+#include "untangle/foldover.h"
 
 namespace orbicube::untangle {
 namespace {

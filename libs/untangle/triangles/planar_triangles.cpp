@@ -5,21 +5,16 @@
 #include <cmath>
 #include <limits>
 
-namespace orbicube::untangle {
+#include "untangle/foldover.h"
 
-Chi2 chi_of(double determinant, double eps) {
-  if (eps <= 0) return {determinant, 1};
-  const double root = std::sqrt(eps * eps + determinant * determinant);
-  // Without cancellation on the negative side.
-  const double value = determinant >= 0 ? 0.5 * (determinant + root) : 0.5 * eps * eps / (root - determinant);
-  return {value, value / root};
-}
+namespace orbicube::untangle {
 
 TriangleDerivatives differentiate(const Eigen::Matrix2d& jacobian, double eps, double lambda) {
   const Eigen::Matrix2d& j = jacobian;
   const double d = j.determinant();
-  const auto [x, derivative] = chi_of(d, eps);
-  const double t = derivative / x, squares = j.squaredNorm();
+  const auto [x, root] = chi_of(d, eps);
+  // chi' / chi. Not 1 / root, which differs in the last bits.
+  const double t = x / root / x, squares = j.squaredNorm();
   const Eigen::Vector4d a(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
   const Eigen::Vector4d c(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
   const double q = t * t * squares + lambda * ((1 - d * t) * (1 - d * t) + t * t);

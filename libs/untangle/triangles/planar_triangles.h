@@ -21,12 +21,6 @@ namespace orbicube::untangle {
 
 using Eigen::Vector2d;
 
-// chi and its derivative by the determinant; the determinant and 1 with eps 0.
-struct Chi2 {
-  double value, derivative;
-};
-Chi2 chi_of(double determinant, double eps);
-
 // Of the energy of a triangle of weight 1, by the entries of J, row by row.
 struct TriangleDerivatives {
   Eigen::Vector4d gradient;

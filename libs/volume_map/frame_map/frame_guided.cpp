@@ -311,13 +311,7 @@ VolumeMap map_to_polycube_by_frames(const PolycubeSolid& solid, std::span<const 
   go_towards(map, best, map.image, host);
   PositiveDescent(map, named, host).run(max_sweeps, held, map.image);
   figures.energy = energy_of(map, map.image);
-  VolumeMap result(host.memory);
-  result.source = std::move(map.source);
-  result.image = std::move(map.image);
-  result.tetrahedra = std::move(map.tetrahedra);
-  result.inverted_at_start = map.inverted_at_start;
-  result.steps = map.steps;
-  return result;
+  return VolumeMap(std::move(map));
 }
 
 }  // namespace orbicube::volume_map

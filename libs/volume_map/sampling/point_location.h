@@ -2,16 +2,10 @@
 // tetrahedron with weights of its corners, and the same weights of the images of the corners make its image.
 #pragma once
 
-#include "mesh/mesh.h"
 #include "mesh/search/bounding_volume_tree.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
-
-using base::Array;
-using mesh::Index;
-using mesh::no_index;
-using mesh::Tetrahedron;
-using mesh::Vector3;
 
 struct Location {
   Index tetrahedron = no_index;    // none when no tetrahedron has the point

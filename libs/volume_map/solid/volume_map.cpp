@@ -39,13 +39,7 @@ VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, un
   const RefinedSolid refined = refine_boundary(solid.positions, solid.tetrahedra, solid.surface, solid.map, host);
   SolidMap map =
       map_solid(solid.map, solid.map.polycube, refined.positions, refined.tetrahedra, {.engine = engine}, host);
-  VolumeMap result(host.memory);
-  result.source = std::move(map.source);
-  result.image = std::move(map.image);
-  result.tetrahedra = std::move(map.tetrahedra);
-  result.inverted_at_start = map.inverted_at_start;
-  result.steps = map.steps;
-  return result;
+  return VolumeMap(std::move(map));
 }
 
 VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const base::Host& host,

@@ -1,8 +1,11 @@
 // Maps of solids to the polycubes of their surfaces, one to one.
 #pragma once
 
+#include <utility>
+
 #include "polycube/surface/surface_map.h"
 #include "untangle/tetrahedra/block_assembly.h"
+#include "volume_map/solid/solid_map.h"
 #include "volume_map/types.h"
 
 namespace orbicube::volume_map {
@@ -18,6 +21,12 @@ struct PolycubeSolid {
 // The same tetrahedra in space, cut where the map cuts the surface, and on the polycube, with its own planes.
 struct VolumeMap {
   explicit VolumeMap(std::pmr::memory_resource* memory) : source(memory), image(memory), tetrahedra(memory) {}
+  explicit VolumeMap(SolidMap&& map)
+      : source(std::move(map.source)),
+        image(std::move(map.image)),
+        tetrahedra(std::move(map.tetrahedra)),
+        inverted_at_start(map.inverted_at_start),
+        steps(map.steps) {}
 
   Array<Vector3> source, image;
   Array<Tetrahedron> tetrahedra;

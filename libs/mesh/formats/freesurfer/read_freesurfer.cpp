@@ -87,13 +87,8 @@ Mesh read_text(std::span<const std::byte> bytes, const base::Host& host, ReadRep
   Mesh mesh(host.memory);
   mesh.positions.reserve(vertex_count);
   for (std::uint64_t v = 0; v < vertex_count; ++v) {
-    Vector3 p;
-    for (double& x : p) {
-      scanner.skip_space();
-      x = scanner.coordinate("a coordinate");
-    }
+    mesh.positions.push_back(scanner.point_after_space());
     scanner.skip_word("the flag of a vertex");
-    mesh.positions.push_back(p);
     scanner.progress();
   }
   mesh.triangles.reserve(triangle_count);

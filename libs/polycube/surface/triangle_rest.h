@@ -1,6 +1,4 @@
-// How a triangle in space is distorted by a map to the plane, and how that changes with the map: the energy of
-// untangle/triangles/planar_triangles.h where every triangle is positive, which spares chi. The order of evaluation is
-// another: the last bits of results differ.
+// Triangles in space and their maps to planes, whose energy is that of untangle/triangles/barrier.h.
 #pragma once
 
 #include <algorithm>
@@ -42,27 +40,5 @@ inline Eigen::Matrix2d jacobian(const RestTriangle& t, const Eigen::Vector2d& a,
                                 const Eigen::Vector2d& c) {
   return a * t.hat[0].transpose() + b * t.hat[1].transpose() + c * t.hat[2].transpose();
 }
-
-// Of angles and areas, each 1 for an isometry: |J|^2 / (2 det J) + (det J + 1 / det J) / 2, infinite for what is not
-// positive.
-inline double distortion(const Eigen::Matrix2d& j) {
-  const double d = j.determinant();
-  return d > 0 ? 0.5 * (j.squaredNorm() / d + d + 1 / d) : std::numeric_limits<double>::infinity();
-}
-
-// Derivatives of the distortion by the entries of J, row by row. The second ones are Gauss-Newton's.
-struct Derivatives {
-  explicit Derivatives(const Eigen::Matrix2d& j) {
-    const double d = j.determinant(), squares = j.squaredNorm();
-    const Eigen::Vector4d a(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
-    const Eigen::Vector4d c(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
-    first = a / d + (d - 0.5 * (squares + d * d + 1) / d) / d * c;
-    const double q = (squares + 1) / (d * d);
-    second = (Eigen::Matrix4d::Identity() - (c * a.transpose() + a * c.transpose()) / d + q * c * c.transpose()) / d;
-  }
-
-  Eigen::Vector4d first;
-  Eigen::Matrix4d second;
-};
 
 }  // namespace orbicube::polycube
