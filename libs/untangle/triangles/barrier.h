@@ -9,7 +9,7 @@
 
 namespace orbicube::untangle {
 
-// Returns the mean of angle and area distortion, 1 for an isometry: |J|^2 / (2 det J) + (det J + 1 / det J) / 2.
+// Returns the sum of angle and area distortion, each 1 for an isometry: |J|^2 / (2 det J) + (det J + 1 / det J) / 2.
 // Infinite for what is not positive.
 inline double barrier(const Eigen::Matrix2d& j) {
   const double d = j.determinant();
