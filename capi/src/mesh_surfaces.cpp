@@ -99,8 +99,8 @@ obc_status obc_mesh_orient(const double* positions, size_t vertex_count, uint32_
     const mesh::OrientReport done = mesh::orient(x, turned, adapter.host());
     if (report != nullptr) {
       obc_mesh_orient_report result{};
-      result.turned_outward = done.turned_outward;
-      result.triangles_turned = done.triangles_turned;
+      result.inward_oriented = done.inward_oriented;
+      result.reversed_triangles = done.reversed_triangles;
       capi::write_versioned(report, result);
     }
     copy(turned, triangles);

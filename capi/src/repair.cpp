@@ -95,7 +95,7 @@ obc_repair_report report_of(const repair::Report& r) {
   report.flipped_edges = r.slivers.flipped;
   report.left_near_degenerate = r.slivers.left;
   report.t_junctions = r.t_junctions.splits;
-  report.turned_triangles = r.turned_triangles;
+  report.reversed_triangles = r.reversed_triangles;
   report.contact_edges = r.contacts.edges;
   report.contact_vertices = r.contacts.vertices;
   report.contact_added_vertices = r.contacts.added_vertices;

@@ -17,10 +17,10 @@ AnyGenusSurface read_any_genus_surface(const std::string& path, const Mending& m
       throw base::Error("unsupported", "a solid of cells; polycube takes surfaces");
     std::int64_t genus = 0;
     const mesh::OrientReport turned = correspondence::orient_any_genus(m, genus, session.host());
-    if (turned.triangles_turned > 0)
-      session.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
-                   " turned to agree with their neighbors");
-    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
+    if (turned.reversed_triangles > 0)
+      session.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
+                   " reversed to agree with their neighbors");
+    if (turned.inward_oriented) session.note("the surface was inward-oriented; all triangles were reversed");
     figures = {{"format", input.report.format},
                {"vertices", m.positions.size()},
                {"triangles", m.triangles.size()},

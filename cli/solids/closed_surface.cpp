@@ -19,13 +19,13 @@ ClosedSurface read_closed_surface(const std::string& path, const Mending& mendin
       throw base::Error("unsupported", "a solid of cells; the sphere map takes surfaces");
     }
     const mesh::OrientReport turned = correspondence::orient_genus_zero(mesh, session.host());
-    if (turned.triangles_turned == 0 && !turned.turned_outward) return;
-    if (turned.triangles_turned > 0)
-      session.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
-                   " turned to agree with their neighbors");
-    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
-    figures["triangles_turned"] = turned.triangles_turned;
-    figures["turned_outward"] = turned.turned_outward;
+    if (turned.reversed_triangles == 0 && !turned.inward_oriented) return;
+    if (turned.reversed_triangles > 0)
+      session.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
+                   " reversed to agree with their neighbors");
+    if (turned.inward_oriented) session.note("the surface was inward-oriented; all triangles were reversed");
+    figures["reversed_triangles"] = turned.reversed_triangles;
+    figures["inward_oriented"] = turned.inward_oriented;
   });
   return {std::move(mesh), std::move(figures), std::move(input.kept), std::move(given)};
 }

@@ -28,7 +28,7 @@ Json steps_json(const repair::Report& r) {
             {"left", r.slivers.left},
             {"max_move", r.slivers.largest_move}}},
           {"t_junctions", {{"splits", r.t_junctions.splits}, {"max_move", r.t_junctions.largest_move}}},
-          {"orient", {{"orientable", r.orientable}, {"turned_triangles", r.turned_triangles}}},
+          {"orient", {{"orientable", r.orientable}, {"reversed_triangles", r.reversed_triangles}}},
           {"contacts",
            {{"edges", r.contacts.edges},
             {"vertices", r.contacts.vertices},
@@ -127,7 +127,7 @@ std::vector<std::string> lines_of(const repair::Report& r) {
       count(r.t_junctions.splits, "open edge was split at a vertex", "open edges were split at vertices") +
           " at most " + number(r.t_junctions.largest_move) + " away from it");
   add(!r.orientable, "the surface has one side only: it cannot be oriented");
-  add(r.turned_triangles > 0, count(r.turned_triangles, "triangle was turned", "triangles were turned"));
+  add(r.reversed_triangles > 0, count(r.reversed_triangles, "triangle was reversed", "triangles were reversed"));
   add(r.contacts.added_vertices > 0, count(r.contacts.edges, "edge", "edges") + " of more than two faces and " +
                                          count(r.contacts.vertices, "vertex", "vertices") +
                                          " where sheets touch were split");

@@ -77,7 +77,7 @@ int main(void) {
   if (obc_mesh_orient(surface.positions, surface.vertex_count, triangles, surface.triangle_count, NULL, &turned,
                       NULL) != OBC_OK)
     return 1;
-  right &= turned.triangles_turned == 1 && !turned.turned_outward;
+  right &= turned.reversed_triangles == 1 && !turned.inward_oriented;
   report = examine("turned back", &surface);
   right &= report.inconsistent_edges == 0 && fabs(report.volume - volume) < 1e-12 * volume;
 

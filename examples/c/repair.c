@@ -56,9 +56,9 @@ int main(void) {
     printf("%s at (%.3f, %.3f, %.3f): count %u, size %.3g\n", obc_repair_action_name(actions[i]), places[3 * i],
            places[3 * i + 1], places[3 * i + 2], counts[i], sizes[i]);
   printf("%d triangles turned; closed %d, manifold %d, oriented %d, genus %d, self-intersections %d\n",
-         (int)report.turned_triangles, report.closed, report.manifold, report.oriented, (int)report.genus,
+         (int)report.reversed_triangles, report.closed, report.manifold, report.oriented, (int)report.genus,
          (int)report.self_intersections);
-  i = report.turned_triangles == 10 && report.closed && report.manifold && report.oriented && report.genus == 0 &&
+  i = report.reversed_triangles == 10 && report.closed && report.manifold && report.oriented && report.genus == 0 &&
       report.self_intersections == 0 && report.filled_holes == 1 && report.dropped_triangles == 1 &&
       obc_repair_triangle_count(repaired) == sphere.triangle_count;
   free(positions), free(triangles), free(actions), free(counts), free(places), free(sizes);

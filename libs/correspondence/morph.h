@@ -53,7 +53,7 @@ struct Morph {
 };
 
 // Maps two or more shapes to spheres, or two to ten of one genus to one polycube, and returns one triangulation on all
-// of them. Triangles are turned to be consistent and outward-oriented first. The same bits for any number of threads.
+// of them. Triangles are reversed to be consistent and outward-oriented first. The same bits for any number of threads.
 // Throws Error "invalid-argument", "not-closed", "not-manifold", "wrong-genus", "degenerate", "no-valid-result",
 // "cancelled".
 Morph morph(std::span<const SurfaceSpan> shapes, const MorphOptions& options, const base::Host& host);

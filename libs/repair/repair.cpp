@@ -234,7 +234,7 @@ Repaired repair(std::span<const Vector3> positions, std::span<const Triangle> tr
   }
   report.input_vertices = positions.size();
   report.input_triangles = triangles.size();
-  report.turned_triangles = count_turned(surface, triangles);
+  report.reversed_triangles = count_turned(surface, triangles);
   report.changed = surface.positions != scaled_input ||
                    !std::equal(triangles.begin(), triangles.end(), surface.triangles.begin(), surface.triangles.end());
   const base::Stage stage(host, 1);
@@ -255,8 +255,8 @@ std::string shortcomings(const Certificate& c) {
   add(c.boundary_loops, "boundary loop", "boundary loops");
   add(c.non_manifold_edges, "edge of more than two faces", "edges of more than two faces");
   add(c.non_manifold_vertices, "vertex that joins parts", "vertices that join parts");
-  add(c.inconsistent_edges, "edge between faces that are turned against each other",
-      "edges between faces that are turned against each other");
+  add(c.inconsistent_edges, "edge between faces of opposite orientations",
+      "edges between faces of opposite orientations");
   add(c.self_intersections, "pair of triangles that intersect", "pairs of triangles that intersect");
   return text;
 }

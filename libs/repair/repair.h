@@ -48,7 +48,7 @@ struct Report {
   SliverFigures slivers;
   TJunctionFigures t_junctions;
   bool orientable = true;
-  std::size_t turned_triangles = 0;
+  std::size_t reversed_triangles = 0;
   ContactFigures contacts;
   PartFigures parts;
   HoleFigures holes;

@@ -67,7 +67,7 @@ void add_tetrahedra(const TetgenMesh& made, const Regions& regions, const Array<
   if (flat > 0) {
     refuse(std::to_string(flat) + " of " +
            base::counted(solid.tetrahedra.size(), "tetrahedron has", "tetrahedra have") +
-           " no volume or are inside out in double precision");
+           " no volume or are inverted in double precision");
   }
 }
 

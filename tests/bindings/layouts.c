@@ -349,8 +349,8 @@ _Static_assert(offsetof(obc_mesh_topology_report, first_degenerate_face) == 264,
 _Static_assert(offsetof(obc_mesh_topology_report, first_zero_area_face) == 268, "obc_mesh_topology_report.first_zero_area_face");
 _Static_assert(sizeof(obc_mesh_orient_report) == 16, "obc_mesh_orient_report");
 _Static_assert(offsetof(obc_mesh_orient_report, struct_size) == 0, "obc_mesh_orient_report.struct_size");
-_Static_assert(offsetof(obc_mesh_orient_report, turned_outward) == 4, "obc_mesh_orient_report.turned_outward");
-_Static_assert(offsetof(obc_mesh_orient_report, triangles_turned) == 8, "obc_mesh_orient_report.triangles_turned");
+_Static_assert(offsetof(obc_mesh_orient_report, inward_oriented) == 4, "obc_mesh_orient_report.inward_oriented");
+_Static_assert(offsetof(obc_mesh_orient_report, reversed_triangles) == 8, "obc_mesh_orient_report.reversed_triangles");
 _Static_assert(sizeof(obc_mesh_distance) == 56, "obc_mesh_distance");
 _Static_assert(offsetof(obc_mesh_distance, struct_size) == 0, "obc_mesh_distance.struct_size");
 _Static_assert(offsetof(obc_mesh_distance, reserved) == 4, "obc_mesh_distance.reserved");
@@ -527,7 +527,7 @@ _Static_assert(offsetof(obc_repair_report, collapsed_edges) == 72, "obc_repair_r
 _Static_assert(offsetof(obc_repair_report, flipped_edges) == 80, "obc_repair_report.flipped_edges");
 _Static_assert(offsetof(obc_repair_report, left_near_degenerate) == 88, "obc_repair_report.left_near_degenerate");
 _Static_assert(offsetof(obc_repair_report, t_junctions) == 96, "obc_repair_report.t_junctions");
-_Static_assert(offsetof(obc_repair_report, turned_triangles) == 104, "obc_repair_report.turned_triangles");
+_Static_assert(offsetof(obc_repair_report, reversed_triangles) == 104, "obc_repair_report.reversed_triangles");
 _Static_assert(offsetof(obc_repair_report, contact_edges) == 112, "obc_repair_report.contact_edges");
 _Static_assert(offsetof(obc_repair_report, contact_vertices) == 120, "obc_repair_report.contact_vertices");
 _Static_assert(offsetof(obc_repair_report, contact_added_vertices) == 128, "obc_repair_report.contact_added_vertices");
@@ -1095,8 +1095,8 @@ _Static_assert(offsetof(obc_mesh_topology_report, first_degenerate_face) == 264,
 _Static_assert(offsetof(obc_mesh_topology_report, first_zero_area_face) == 268, "obc_mesh_topology_report.first_zero_area_face");
 _Static_assert(sizeof(obc_mesh_orient_report) == 16, "obc_mesh_orient_report");
 _Static_assert(offsetof(obc_mesh_orient_report, struct_size) == 0, "obc_mesh_orient_report.struct_size");
-_Static_assert(offsetof(obc_mesh_orient_report, turned_outward) == 4, "obc_mesh_orient_report.turned_outward");
-_Static_assert(offsetof(obc_mesh_orient_report, triangles_turned) == 8, "obc_mesh_orient_report.triangles_turned");
+_Static_assert(offsetof(obc_mesh_orient_report, inward_oriented) == 4, "obc_mesh_orient_report.inward_oriented");
+_Static_assert(offsetof(obc_mesh_orient_report, reversed_triangles) == 8, "obc_mesh_orient_report.reversed_triangles");
 _Static_assert(sizeof(obc_mesh_distance) == 56, "obc_mesh_distance");
 _Static_assert(offsetof(obc_mesh_distance, struct_size) == 0, "obc_mesh_distance.struct_size");
 _Static_assert(offsetof(obc_mesh_distance, reserved) == 4, "obc_mesh_distance.reserved");
@@ -1273,7 +1273,7 @@ _Static_assert(offsetof(obc_repair_report, collapsed_edges) == 48, "obc_repair_r
 _Static_assert(offsetof(obc_repair_report, flipped_edges) == 52, "obc_repair_report.flipped_edges");
 _Static_assert(offsetof(obc_repair_report, left_near_degenerate) == 56, "obc_repair_report.left_near_degenerate");
 _Static_assert(offsetof(obc_repair_report, t_junctions) == 60, "obc_repair_report.t_junctions");
-_Static_assert(offsetof(obc_repair_report, turned_triangles) == 64, "obc_repair_report.turned_triangles");
+_Static_assert(offsetof(obc_repair_report, reversed_triangles) == 64, "obc_repair_report.reversed_triangles");
 _Static_assert(offsetof(obc_repair_report, contact_edges) == 68, "obc_repair_report.contact_edges");
 _Static_assert(offsetof(obc_repair_report, contact_vertices) == 72, "obc_repair_report.contact_vertices");
 _Static_assert(offsetof(obc_repair_report, contact_added_vertices) == 76, "obc_repair_report.contact_added_vertices");

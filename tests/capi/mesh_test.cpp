@@ -134,15 +134,15 @@ TEST_CASE("Turned triangles are turned back, and the caller's array is untouched
   obc_mesh_orient_report report;
   obc_mesh_orient_report_init(&report, sizeof report);
   REQUIRE(obc_mesh_orient(cube.positions.data(), 8, cube.triangles.data(), 12, nullptr, &report, nullptr) == OBC_OK);
-  CHECK(report.triangles_turned == 1);
-  CHECK(report.turned_outward == 0);
+  CHECK(report.reversed_triangles == 1);
+  CHECK(report.inward_oriented == 0);
   CHECK(topology(cube.surface()).volume == doctest::Approx(1));
   cube.triangles = original;
   for (std::size_t t = 0; t < 36; t += 3)
     std::swap(cube.triangles[t], cube.triangles[t + 1]);
   REQUIRE(obc_mesh_orient(cube.positions.data(), 8, cube.triangles.data(), 12, nullptr, &report, nullptr) == OBC_OK);
-  CHECK(report.triangles_turned == 0);
-  CHECK(report.turned_outward == 1);
+  CHECK(report.reversed_triangles == 0);
+  CHECK(report.inward_oriented == 1);
   CHECK(topology(cube.surface()).volume == doctest::Approx(1));
 
   // Five triangles round a Moebius strip.

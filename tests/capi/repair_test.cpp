@@ -68,7 +68,7 @@ TEST_CASE("A damaged surface comes back closed, with figures, places and sources
   CHECK(report.degenerate_faces == 1);
   CHECK(report.contact_vertices == 1);
   CHECK(report.filled_holes == 1);
-  CHECK(report.turned_triangles == 1);
+  CHECK(report.reversed_triangles == 1);
   CHECK(report.welded_vertices == 1);
   const std::size_t vertices = obc_repair_vertex_count(repaired), triangles = obc_repair_triangle_count(repaired),
                     events = obc_repair_event_count(repaired);

@@ -73,7 +73,7 @@ TEST_CASE("A solid has the surface's vertices first and its triangles as they ar
       CHECK(std::count(first, first + 3, shape.triangles[3 * i + k]) == 1);
     }
   }
-  // The outer shell looked outward and is as it was; the inner one is turned round, into the cavity.
+  // The outer shell was outward-oriented and is as it was; the inner one is reversed, into the cavity.
   CHECK(std::equal(boundary.begin(), boundary.begin() + 24, shape.triangles.begin()));
   CHECK(!std::equal(boundary.begin() + 24, boundary.end(), shape.triangles.begin() + 24));
   obc_tetrahedra_destroy(solid);

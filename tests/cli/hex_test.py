@@ -445,7 +445,7 @@ class Hex(InFolder):
             report = self.path("report.json")
             done = run("hex", path, "-o", out, "--cells", 400, "--method", method, "--report", report)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("12 triangles of parts that looked into the solid were turned", done.stdout)
+            self.assertIn("12 triangles of parts oriented into the solid were reversed", done.stdout)
             with open(report, encoding="ascii") as file:
                 figures = json.load(file)
             self.assertEqual(figures["input"]["cavities"], 1)

@@ -56,10 +56,10 @@ class Readers(InFolder):
         turned = self.written("turned.mesh", SOLID)
         for arguments in (("info", turned), ("convert", turned, self.path("out.vtk")),
                           ("frames", turned, "-o", self.path("out.frames"))):
-            self.assertEqual(self.notes(*arguments), ["all 5 tetrahedra were inside out, and were turned"])
+            self.assertEqual(self.notes(*arguments), ["all 5 tetrahedra were inverted, and were reversed"])
         if "untangle" in run("--help").stdout:
             self.assertEqual(self.notes("untangle", turned, "-o", self.path("out.mesh")),
-                             ["all 5 tetrahedra were inside out, and were turned"])
+                             ["all 5 tetrahedra were inverted, and were reversed"])
         some = self.written("some.mesh", SOLID.replace("1 4 2 5 1", "1 2 4 5 1"))
         self.assertEqual(kind_of(run("info", some).stderr, some), "inverted-cell")
 

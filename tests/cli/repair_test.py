@@ -63,7 +63,7 @@ class Repair(InFolder):
         steps = report["steps"]
         self.assertEqual((steps["clean"]["degenerate_faces"], steps["clean"]["duplicate_faces"]), (1, 1))
         self.assertEqual((steps["parts"]["found"], steps["parts"]["kept"]), (2, 1))
-        self.assertEqual(steps["orient"]["turned_triangles"], 1)
+        self.assertEqual(steps["orient"]["reversed_triangles"], 1)
         self.assertGreaterEqual(steps["holes"]["filled"], 1)
         self.assertEqual(report["distance"]["from_result"], 0)
         certificate = report["certificate"]

@@ -286,12 +286,12 @@ class SphereMaps(InFolder):
                     file.write("f %d %d %d\n" % ((a + 1, c + 1, b + 1) if flip(i) else (a + 1, b + 1, c + 1)))
             done = run("sphere", path, "-o", out, "--report", report)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("turned", done.stdout)
+            self.assertIn("reversed", done.stdout)
             directions, faces = read_obj(out)
             self.assertEqual([tuple(sorted(f)) for f in faces], [tuple(sorted(t)) for t in triangles])
             self.assertEqual(not_positive(directions, faces), 0)
             with open(report, encoding="utf-8") as file:
-                self.assertTrue(any("turned" in note for note in json.load(file)["notes"]))
+                self.assertTrue(any("reversed" in note for note in json.load(file)["notes"]))
 
     def test_the_number_of_threads_changes_no_bit(self):
         shape = self.made("creature", 8000, 1)

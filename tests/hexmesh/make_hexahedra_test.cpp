@@ -124,7 +124,7 @@ TEST_CASE("Triangles are turned outward, with a note, and sizes do not matter") 
   InputFindings of_tiny;
   of_tiny.on_note = [&](const std::string& note) { notes.push_back(note); };
   const Hexahedra tiny = hexmesh::make_hexahedra(shape, few(), of_tiny, host);
-  CHECK(notes == std::vector<std::string>{"the surface looked inward; all triangles were turned"});
+  CHECK(notes == std::vector<std::string>{"the surface was inward-oriented; all triangles were reversed"});
   CHECK(tiny.result.mesh.hexahedra.size() == made.result.mesh.hexahedra.size());
   CHECK(tiny.result.quality.volume == doctest::Approx(std::ldexp(made.result.quality.volume, 3 * exponent)));
 }

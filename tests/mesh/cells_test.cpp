@@ -87,7 +87,7 @@ TEST_CASE("Blocks of cubes and of tetrahedra are valid, at any size and place") 
 TEST_CASE("Turning any two vertices of a cell inverts it") {
   Mesh mesh = cubes(2, false);
   std::swap(mesh.tetrahedra[17][1], mesh.tetrahedra[17][3]);
-  CHECK(refusal(mesh).starts_with("inverted-cell: cells that are inside out, or have a corner that is: 1;"));
+  CHECK(refusal(mesh).starts_with("inverted-cell: cells that are inverted, or have a corner that is: 1;"));
   CHECK(refusal(mesh).find("first tetrahedron 17") != std::string::npos);
   Mesh hexahedra = cubes(2, true);
   Hexahedron& c = hexahedra.hexahedra[3];
@@ -235,7 +235,7 @@ TEST_CASE("Cells that are all inverted are turned, and only those") {
     CHECK(turn_inverted_cells(mesh, base::Host()).tetrahedra + turn_inverted_cells(mesh, base::Host()).hexahedra == 0);
     for (Vector3& p : mesh.positions)
       p.x() = -p.x();
-    CHECK(refusal(mesh).starts_with("inverted-cell: all cells are inside out"));
+    CHECK(refusal(mesh).starts_with("inverted-cell: all cells are inverted"));
     const CellTurnReport report = turn_inverted_cells(mesh, base::Host());
     CHECK(report.tetrahedra == mesh.tetrahedra.size());
     CHECK(report.hexahedra == mesh.hexahedra.size());

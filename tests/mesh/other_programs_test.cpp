@@ -166,12 +166,12 @@ TEST_CASE("What decorates a surface is reported in one note") {
                  0, 1) == Notes{"left out: 4 data arrays"});
 }
 
-TEST_CASE("Cells that are all inside out are turned with a note, others are not") {
+TEST_CASE("Cells that are all inverted are reversed with a note, others are not") {
   const std::string turned = replaced(medit_solid, "1 2 3 4 0", "1 3 2 4 0");
   ReadReport report;
   const Mesh mesh = read_text(Format::medit, turned, {}, &report);
   CHECK(mesh.tetrahedra == Array<Tetrahedron>{{0, 1, 2, 3}});
-  CHECK(report.notes == Notes{"the only tetrahedron was inside out, and was turned"});
+  CHECK(report.notes == Notes{"the only tetrahedron was inverted, and was reversed"});
   CHECK(ends_as(Format::medit, replaced(turned, "1\n1 3 2 4 0\n", "2\n1 3 2 4 0\n1 2 3 4 0\n"), "inverted-cell"));
 }
 

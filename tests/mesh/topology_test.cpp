@@ -189,8 +189,8 @@ TEST_CASE("Turned triangles are seen, counted and turned back, whichever they ar
     CHECK((topology_of(s).inconsistent_edges > 0) == mixed);
     CHECK(refusal(s) == (mixed ? "inconsistent-orientation" : ""));
     const OrientReport report = orient(s.positions, s.triangles, base::Host());
-    CHECK(report.triangles_turned == std::min(turned, 8 - turned));
-    CHECK(report.turned_outward == (turned > 4 || (turned == 4 && report.turned_outward)));
+    CHECK(report.reversed_triangles == std::min(turned, 8 - turned));
+    CHECK(report.inward_oriented == (turned > 4 || (turned == 4 && report.inward_oriented)));
     CHECK(refusal(s) == "");
     CHECK(topology_of(s).volume == doctest::Approx(4.0 / 3));
   }
@@ -206,17 +206,17 @@ TEST_CASE("A surface with a cavity keeps its inner wall, and is turned as a whol
   const Surface hollow = both(outer, inner, Vector3::Zero());
   Surface s = hollow;
   OrientReport report = orient(s.positions, s.triangles, base::Host());
-  CHECK(report.triangles_turned == 0);
-  CHECK_FALSE(report.turned_outward);
+  CHECK(report.reversed_triangles == 0);
+  CHECK_FALSE(report.inward_oriented);
   for (Triangle& t : s.triangles)
     std::swap(t[0], t[1]);
   report = orient(s.positions, s.triangles, base::Host());
-  CHECK(report.turned_outward);
+  CHECK(report.inward_oriented);
   CHECK(topology_of(s).volume == doctest::Approx(4.0 / 3 * (27 - 1)));
 
   Surface open = inner;
   open.triangles.pop_back();
-  CHECK_FALSE(orient(open.positions, open.triangles, base::Host()).turned_outward);
+  CHECK_FALSE(orient(open.positions, open.triangles, base::Host()).inward_oriented);
   Surface one_sided = torus(5, 5, true);
   CHECK_THROWS_AS(orient(one_sided.positions, one_sided.triangles, base::Host()), base::Error);
 }
@@ -361,7 +361,7 @@ TEST_CASE("Huge and tiny surfaces are measured as far as doubles reach") {
     CHECK(near(t.volume, std::max(4.0 / 3 * scale * scale * scale, std::numeric_limits<double>::denorm_min())));
     CHECK(t.zero_area_faces == 0);
     std::swap(s.triangles[0][0], s.triangles[0][1]);
-    CHECK(orient(s.positions, s.triangles, base::Host()).triangles_turned == 1);
+    CHECK(orient(s.positions, s.triangles, base::Host()).reversed_triangles == 1);
   }
 }
 

@@ -150,7 +150,7 @@ TEST_CASE("An inside-out polycube is refused") {
   mesh::Mesh m = blocks(box_without({2, 1, 1}));
   for (Triangle& t : m.triangles)
     std::swap(t[1], t[2]);
-  CHECK(mentions(certificate_of(m), "inside out"));
+  CHECK(mentions(certificate_of(m), "inward-oriented"));
 }
 
 TEST_CASE("Surfaces that are open, in parts or not manifold are refused") {
@@ -195,7 +195,7 @@ TEST_CASE("Cavities are parts that are inward-oriented within the one that is ou
   CHECK(hollow.patch_count == 18);
   CHECK(certificate_of(blocks(box_without({3, 3, 3}, {{1, 1, 1}}))).cavities == 1);
   CHECK(mentions(cubes({{0, 9, false}, {1, 2, false}}), "2 components are outward-oriented"));
-  CHECK(mentions(cubes({{0, 9, true}, {1, 2, true}}), "inside out"));
+  CHECK(mentions(cubes({{0, 9, true}, {1, 2, true}}), "inward-oriented"));
   CHECK(mentions(cubes({{0, 9, false}, {10, 2, true}}), "inside or outside already"));
   CHECK(mentions(cubes({{0, 9, false}, {1, 6, true}, {2, 1, true}}), "inside or outside already"));
   CHECK(mentions(cubes({{0, 9, true}, {1, 2, false}}), "inside or outside already"));

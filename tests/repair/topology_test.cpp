@@ -85,8 +85,8 @@ TEST_CASE("Faces are turned to agree with the most, and outward") {
   const repair::Repaired r = repaired(m);
   CHECK(r.report.certificate.is_solid());
   CHECK(r.report.certificate.volume > 0);
-  CHECK(r.report.turned_triangles <= 100);
-  CHECK(r.report.turned_triangles > 50);
+  CHECK(r.report.reversed_triangles <= 100);
+  CHECK(r.report.reversed_triangles > 50);
   CHECK(r.report.move.from_input == 0);
   CHECK(r.report.move.from_result == 0);
   for (Triangle& t : m.triangles)

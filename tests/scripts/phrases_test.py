@@ -45,7 +45,7 @@ class Words(unittest.TestCase):
     def test_each_phrase_of_the_table_is_found(self):
         for phrase in ("it answers the number", "a limit that is asked for", "reports when told of it", "so many cells", "the greatest angle",
                        "the least angle", "50 cells at most.", "no triangle is turned over", "turned right again", "a tangled mesh", "what is inverted",
-                       "looking inward", "joined vertices", "started anew", "once more", "the method seed", "go to their places", "to meet features",
+                       "looked inward", "the solid is inside out", "3 triangles were turned", "joined vertices", "started anew", "once more", "the method seed", "go to their places", "to meet features",
                        "sharp angles", "a wanted shape", "hexahedra by voxels", "a knob", "vertices held fixed",
                        "insists on it", "lifted to it", "even lengths", "the first degenerate step", "the positive part of the Hessian",
                        "the mean dilatation", "a Team of threads", "normalised", "optimisation", "colours", "its neighbours", "the centre", "behaviour"):

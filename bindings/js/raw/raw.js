@@ -558,8 +558,8 @@ export const layouts = {
     size: 16,
     fields: {
       struct_size: ['u32', 0],
-      turned_outward: ['i32', 4],
-      triangles_turned: ['u64', 8],
+      inward_oriented: ['i32', 4],
+      reversed_triangles: ['u64', 8],
     },
   },
   obc_mesh_distance: {

@@ -25,7 +25,7 @@
     @test_throws OrbicubeError check_closed_genus_zero(make_surface("torus", 400))
     inside = Surface(Orbicube.positions(shape), Orbicube.triangles(shape)[[2, 1, 3], :])
     outside, turned = orient(inside)
-    @test turned.turned_outward == 1 && topology(outside).volume ≈ -topology(inside).volume > 0
+    @test turned.inward_oriented == 1 && topology(outside).volume ≈ -topology(inside).volume > 0
     @test isempty(intersections(shape))
     crossing = Surface([0.0 2 0 0.2 0.2 0.2; 0 0 2 0.2 0.2 1; 0 0 0 -1 1 0], [1 4; 2 5; 3 6])
     @test sort(vec(intersections(crossing))) == [1, 2]

@@ -181,7 +181,7 @@ typedef struct obc_hexmesh_missing {
 } obc_hexmesh_missing;
 
 /* Fills a closed surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the cells are divided by
- * volume; components within a piece bound cavities. Triangles are turned where neighbors disagree and where components are oriented
+ * volume; components within a piece bound cavities. Triangles are reversed where neighbors disagree and where components are oriented
  * into their solid; the log of the host says so. A few triangles may intersect others of their component, up to a twentieth of them. The
  * volume of the result is infinite or 0 where the unit of the surface takes it out of the range of double. options, host and report
  * may be NULL; the allocator of the host must remain valid until _destroy. Takes from a second to many minutes.

@@ -299,8 +299,8 @@ OBC_API obc_status obc_mesh_check_closed_genus_zero(const obc_surface *surface, 
 /* Changes by obc_mesh_orient. */
 typedef struct obc_mesh_orient_report {
   uint32_t struct_size;
-  int32_t turned_outward;    /* 1: the closed surface was inward-oriented, and all triangles were reversed; 0: otherwise */
-  uint64_t triangles_turned; /* number of triangles reversed before that to agree with their neighbors */
+  int32_t inward_oriented;    /* 1: the closed surface was inward-oriented, and all triangles were reversed; 0: otherwise */
+  uint64_t reversed_triangles; /* number of triangles reversed before that to agree with their neighbors */
 } obc_mesh_orient_report;
 
 /* Fills a report with zeros and its size. */

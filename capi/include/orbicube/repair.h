@@ -106,7 +106,7 @@ typedef struct obc_repair_report {
   size_t degenerate_faces, duplicate_faces, unused_vertices; /* removed; unused vertices include those that steps left without faces */
   size_t near_degenerate, collapsed_edges, flipped_edges, left_near_degenerate;
   size_t t_junctions; /* splits of an edge at a vertex */
-  size_t turned_triangles;
+  size_t reversed_triangles;
   size_t contact_edges, contact_vertices, contact_added_vertices;
   size_t found_parts, kept_parts, cavity_parts, dropped_triangles;
   size_t found_holes, filled_holes, patch_triangles, patch_vertices;

@@ -26,8 +26,8 @@ bool is_closed(const Mesh& mesh, const base::Host& host) {
 void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host) {
   const CellTurnReport turned = turn_inverted_cells(mesh, host);
   const auto tell = [&](std::size_t count, const std::string& one, const char* many) {
-    if (count == 1) notes.push_back("the only " + one + " was inside out, and was turned");
-    if (count > 1) notes.push_back("all " + std::to_string(count) + " " + many + " were inside out, and were turned");
+    if (count == 1) notes.push_back("the only " + one + " was inverted, and was reversed");
+    if (count > 1) notes.push_back("all " + std::to_string(count) + " " + many + " were inverted, and were reversed");
   };
   tell(turned.tetrahedra, "tetrahedron", "tetrahedra");
   tell(turned.hexahedra, "hexahedron", "hexahedra");

@@ -45,7 +45,7 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, co
 Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOptions& options, const base::Host& host,
                ReadReport* report = nullptr);
 
-// turn_inverted_cells (cells.h), with a note of what was turned.
+// turn_inverted_cells (cells.h), with a note of those that were reversed.
 void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host);
 
 }  // namespace orbicube::mesh

@@ -30,7 +30,7 @@ const char* name(const Hexahedron&) {
   return "hexahedron";
 }
 
-// -1, 0 or 1: inside out somewhere, flat somewhere, or neither.
+// -1, 0 or 1: inverted somewhere, flat somewhere, or neither.
 int orientation(std::span<const Vector3> x, const Tetrahedron& c) {
   return orientation_3d(x[c[0]], x[c[1]], x[c[2]], x[c[3]]);
 }
@@ -152,8 +152,8 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
   }
   repeated.refuse("degenerate-cell", "cells with a repeated vertex");
   const bool all = inverted.count == cells.size();
-  inverted.refuse("inverted-cell", all ? "all cells are inside out, as in another order of vertices"
-                                       : "cells that are inside out, or have a corner that is");
+  inverted.refuse("inverted-cell", all ? "all cells are inverted, as in another order of vertices"
+                                       : "cells that are inverted, or have a corner that is");
   flat.refuse("degenerate-cell", "cells without volume, or with a flat corner");
   Defect duplicate;
   const auto same = sorted_by_key<std::tuple_size_v<Cell>>(
@@ -285,7 +285,7 @@ void check_edges(const Boundary& boundary, std::span<const Vector3> positions, c
   crowded.refuse("non-manifold-edge", "edges where parts of the solid touch");
 }
 
-// Corners of a hexahedron that are inside out, less those that are right.
+// Corners of a hexahedron that are inverted, less those that are right.
 int inverted_corners(std::span<const Vector3> x, const Hexahedron& c) {
   int sum = 0;
   for (std::size_t i = 0; i < 8; ++i) {

@@ -14,7 +14,7 @@ inline constexpr std::array<std::array<std::size_t, 4>, 6> hexahedron_faces = {
 // - "index-range": a vertex that does not exist;
 // - "degenerate-cell": a repeated vertex, a tetrahedron of volume 0, a hexahedron with a corner whose three edges lie
 //   in a plane;
-// - "inverted-cell": a tetrahedron of negative volume, a hexahedron with a corner turned inside out (its Jacobian
+// - "inverted-cell": a tetrahedron of negative volume, a hexahedron with an inverted corner (its Jacobian
 //   there is negative). Signs are exact;
 // - "duplicate-cell": two cells of the same vertices;
 // - "non-manifold-face": a face of three cells or more, or a face of a hexahedron that triangles of tetrahedra lie on,

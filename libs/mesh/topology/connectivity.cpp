@@ -23,8 +23,7 @@ Connectivity::Connectivity(std::size_t vertex_count, std::span<const Triangle> t
       const auto place = [&] { return "edge " + std::to_string(start(h[0])) + "-" + std::to_string(end(h[0])); };
       if (h.size() > 2) throw base::Error("non-manifold-edge", place() + " has more than two faces");
       if (start(h[0]) == start(h[1])) {
-        throw base::Error("inconsistent-orientation",
-                          place() + " lies between faces that are turned against each other");
+        throw base::Error("inconsistent-orientation", place() + " lies between faces of opposite orientations");
       }
       opposite_[h[0]] = h[1];
       opposite_[h[1]] = h[0];

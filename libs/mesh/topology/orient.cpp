@@ -78,11 +78,11 @@ OrientReport orient(std::span<const Vector3> positions, std::span<Triangle> tria
   for (Index t = 0; t < triangles.size(); ++t) {
     if (((*turned)[t] != 0) == (excess[parts.find(t)] > 0)) continue;
     turn(triangles[t]);
-    ++report.triangles_turned;
+    ++report.reversed_triangles;
   }
   if (closed && measures(positions, triangles, host).volume < 0) {
     std::ranges::for_each(triangles, turn);
-    report.turned_outward = true;
+    report.inward_oriented = true;
   }
   return report;
 }

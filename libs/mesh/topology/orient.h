@@ -11,14 +11,14 @@
 
 namespace orbicube::mesh {
 
-// 1 for each triangle that has to be turned round so that every edge of two triangles is passed once in each direction,
+// 1 for each triangle that has to be reversed so that every edge of two triangles is passed once in each direction,
 // 0 for the others; the lowest triangle of each part stays. Nothing when the surface is not orientable. O(n).
 std::optional<Array<std::uint8_t>> orientation_signs(std::span<const Triangle> triangles, const EdgeTable& edges,
                                                      const base::Host& host);
 
 struct OrientReport {
-  std::size_t triangles_turned = 0;  // to agree with their neighbors
-  bool turned_outward = false;       // then all of them again, since the surface looked inward
+  std::size_t reversed_triangles = 0;  // to agree with their neighbors
+  bool inward_oriented = false;        // then all of them again
 };
 
 // Turns triangles so that they agree with their neighbors, the fewer of each part, and then all of them when the

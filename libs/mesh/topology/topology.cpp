@@ -245,7 +245,7 @@ void require_closed_genus_zero(const Topology& t) {
   if (!t.orientable) refuse("non-orientable", "the surface has one side only, like a Moebius strip");
   if (t.inconsistent_edges > 0) {
     refuse("inconsistent-orientation", base::counted(t.inconsistent_edges, "edge lies", "edges lie") +
-                                           " between faces that are turned against each other; first edge " +
+                                           " between faces of opposite orientations; first edge " +
                                            text(t.first_inconsistent_edge));
   }
   if (t.genus != 0) {

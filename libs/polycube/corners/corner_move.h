@@ -50,7 +50,7 @@ class CornerMove {
   Index apex() const { return apex_; }
   bool added() const { return apex_ == region_.vertices.size(); }
   Vector2d position(Index v) const { return {value_[2 * slot_[v]], value_[2 * slot_[v] + 1]}; }
-  // By how many quarters the corner k of a triangle is turned about the apex to be beside the others.
+  // By how many quarters corner k is rotated about the apex to be beside the others.
   int turn(std::size_t triangle, std::size_t k) const { return turns_[triangle][k]; }
   const Array<Triangle>& triangles() const { return triangles_; }
   const CornerRegion& region() const { return region_; }

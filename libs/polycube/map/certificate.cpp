@@ -201,7 +201,7 @@ class Certifier {
     for (const Index i : farthest)
       outward += i != no_index && sign_of(result_.labels[i]) > 0;
     if (outward == 1) return true;
-    return refuse(outward == 0 ? "the polycube is inside out"
+    return refuse(outward == 0 ? "the polycube is inward-oriented"
                                : base::counted(outward, "component is", "components are") +
                                      " outward-oriented; a solid has one, and cavities");
   }

@@ -1,5 +1,5 @@
-// Geometry images as PNG files of 16 bits a channel: what is read by libspng (png_by_spng.cpp) or, in builds without
-// it, by stb_image (png_without_spng.cpp).
+// Geometry images from PNG files of up to 16 bits a channel, by libspng (png_by_spng.cpp) or, in builds without it, by
+// stb_image (png_without_spng.cpp).
 #pragma once
 
 #include <array>

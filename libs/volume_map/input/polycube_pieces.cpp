@@ -105,9 +105,9 @@ void turn_parts(const SurfacePieces& pieces, std::span<mesh::Triangle> triangles
     ++turned;
   }
   if (turned > 0)
-    findings.note(base::counted(turned, "triangle of parts that looked into the solid was",
-                                "triangles of parts that looked into the solid were") +
-                  " turned");
+    findings.note(base::counted(turned, "triangle of parts oriented into the solid was",
+                                "triangles of parts oriented into the solid were") +
+                  " reversed");
 }
 
 // The solid of one piece, still without its polycube. `power`: see size_exponent().
@@ -159,10 +159,10 @@ SurfacePieces pieces_of_surface(mesh::Mesh& surface, Inside inside, std::size_t 
   constexpr double few = 0.05;
   require_closed_surface(surface.positions, surface.triangles, host);
   const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
-  if (turned.triangles_turned > 0)
-    findings.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
-                  " turned to agree with their neighbors");
-  if (turned.turned_outward) findings.note("the surface looked inward; all triangles were turned");
+  if (turned.reversed_triangles > 0)
+    findings.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
+                  " reversed to agree with their neighbors");
+  if (turned.inward_oriented) findings.note("the surface was inward-oriented; all triangles were reversed");
   SurfacePieces pieces = surface_pieces(surface.positions, surface.triangles, host);
   if (max_pieces > 0) require_cells_for_pieces(pieces.count, max_pieces);
   turn_parts(pieces, surface.triangles, findings);

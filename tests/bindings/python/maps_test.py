@@ -59,7 +59,7 @@ class Meshes(unittest.TestCase):
         broken = shape.triangles.copy()
         broken[7] = broken[7][::-1]
         turned, report = mesh.orient((shape.positions, broken))
-        self.assertEqual(report.triangles_turned, 1)
+        self.assertEqual(report.reversed_triangles, 1)
         np.testing.assert_array_equal(turned, np.where(np.arange(len(broken))[:, None] == 7, turned[7], shape.triangles))
         self.assertIn(list(turned[7]), [list(np.roll(shape.triangles[7], k)) for k in range(3)])
         with self.assertRaises(orbicube.MalformedFile):

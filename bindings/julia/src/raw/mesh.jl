@@ -123,8 +123,8 @@ end
 
 mutable struct obc_mesh_orient_report <: CStruct
     struct_size::UInt32
-    turned_outward::Int32
-    triangles_turned::UInt64
+    inward_oriented::Int32
+    reversed_triangles::UInt64
     obc_mesh_orient_report() = zeroed!(new())
 end
 

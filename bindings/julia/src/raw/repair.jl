@@ -58,7 +58,7 @@ mutable struct obc_repair_report <: CStruct
     flipped_edges::Csize_t
     left_near_degenerate::Csize_t
     t_junctions::Csize_t
-    turned_triangles::Csize_t
+    reversed_triangles::Csize_t
     contact_edges::Csize_t
     contact_vertices::Csize_t
     contact_added_vertices::Csize_t

@@ -143,8 +143,8 @@ class obc_mesh_orient_report(_Struct):
     """Changes by obc_mesh_orient."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
-        ("turned_outward", _c.c_int32),
-        ("triangles_turned", _c.c_uint64),
+        ("inward_oriented", _c.c_int32),
+        ("reversed_triangles", _c.c_uint64),
     ]
 
 

@@ -121,9 +121,9 @@ class obc_mesh_topology_report(Struct):
 
 class obc_mesh_orient_report(Struct):
     struct_size: int
-    turned_outward: int
-    triangles_turned: int
-    def __init__(self, struct_size: int = ..., turned_outward: int = ..., triangles_turned: int = ...) -> None: ...
+    inward_oriented: int
+    reversed_triangles: int
+    def __init__(self, struct_size: int = ..., inward_oriented: int = ..., reversed_triangles: int = ...) -> None: ...
 
 class obc_mesh_distance(Struct):
     struct_size: int

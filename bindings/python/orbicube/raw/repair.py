@@ -67,7 +67,7 @@ class obc_repair_report(_Struct):
         ("flipped_edges", _c.c_size_t),
         ("left_near_degenerate", _c.c_size_t),
         ("t_junctions", _c.c_size_t),
-        ("turned_triangles", _c.c_size_t),
+        ("reversed_triangles", _c.c_size_t),
         ("contact_edges", _c.c_size_t),
         ("contact_vertices", _c.c_size_t),
         ("contact_added_vertices", _c.c_size_t),

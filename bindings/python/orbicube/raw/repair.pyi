@@ -60,7 +60,7 @@ class obc_repair_report(Struct):
     flipped_edges: int
     left_near_degenerate: int
     t_junctions: int
-    turned_triangles: int
+    reversed_triangles: int
     contact_edges: int
     contact_vertices: int
     contact_added_vertices: int
@@ -88,7 +88,7 @@ class obc_repair_report(Struct):
     self_intersections: int
     area: float
     volume: float
-    def __init__(self, struct_size: int = ..., changed: int = ..., closed: int = ..., manifold: int = ..., oriented: int = ..., orientable: int = ..., welded_vertices: int = ..., weld_lost_triangles: int = ..., degenerate_faces: int = ..., duplicate_faces: int = ..., unused_vertices: int = ..., near_degenerate: int = ..., collapsed_edges: int = ..., flipped_edges: int = ..., left_near_degenerate: int = ..., t_junctions: int = ..., turned_triangles: int = ..., contact_edges: int = ..., contact_vertices: int = ..., contact_added_vertices: int = ..., found_parts: int = ..., kept_parts: int = ..., cavity_parts: int = ..., dropped_triangles: int = ..., found_holes: int = ..., filled_holes: int = ..., patch_triangles: int = ..., patch_vertices: int = ..., cut_handles: int = ..., weld_move: float = ..., sliver_move: float = ..., t_junction_move: float = ..., handle_move: float = ..., longest_handle: float = ..., dropped_area_percent: float = ..., distance_from_input: float = ..., distance_from_result: float = ..., distance_of_patches: float = ..., parts: int = ..., genus: int = ..., boundary_loops: int = ..., self_intersections: int = ..., area: float = ..., volume: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., changed: int = ..., closed: int = ..., manifold: int = ..., oriented: int = ..., orientable: int = ..., welded_vertices: int = ..., weld_lost_triangles: int = ..., degenerate_faces: int = ..., duplicate_faces: int = ..., unused_vertices: int = ..., near_degenerate: int = ..., collapsed_edges: int = ..., flipped_edges: int = ..., left_near_degenerate: int = ..., t_junctions: int = ..., reversed_triangles: int = ..., contact_edges: int = ..., contact_vertices: int = ..., contact_added_vertices: int = ..., found_parts: int = ..., kept_parts: int = ..., cavity_parts: int = ..., dropped_triangles: int = ..., found_holes: int = ..., filled_holes: int = ..., patch_triangles: int = ..., patch_vertices: int = ..., cut_handles: int = ..., weld_move: float = ..., sliver_move: float = ..., t_junction_move: float = ..., handle_move: float = ..., longest_handle: float = ..., dropped_area_percent: float = ..., distance_from_input: float = ..., distance_from_result: float = ..., distance_of_patches: float = ..., parts: int = ..., genus: int = ..., boundary_loops: int = ..., self_intersections: int = ..., area: float = ..., volume: float = ...) -> None: ...
 
 class obc_repair_label_options(Struct):
     struct_size: int

@@ -249,9 +249,9 @@ pub struct obc_mesh_topology_report {
 pub struct obc_mesh_orient_report {
     pub struct_size: u32,
     /// 1: the closed surface was inward-oriented, and all triangles were reversed; 0: otherwise
-    pub turned_outward: i32,
+    pub inward_oriented: i32,
     /// number of triangles reversed before that to agree with their neighbors
-    pub triangles_turned: u64,
+    pub reversed_triangles: u64,
 }
 
 /// Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
@@ -530,8 +530,8 @@ mod layout {
         let it = MaybeUninit::<obc_mesh_orient_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_mesh_orient_report.struct_size");
-        assert_eq!(unsafe { addr_of!((*start).turned_outward) } as usize - start as usize, 4, "obc_mesh_orient_report.turned_outward");
-        assert_eq!(unsafe { addr_of!((*start).triangles_turned) } as usize - start as usize, 8, "obc_mesh_orient_report.triangles_turned");
+        assert_eq!(unsafe { addr_of!((*start).inward_oriented) } as usize - start as usize, 4, "obc_mesh_orient_report.inward_oriented");
+        assert_eq!(unsafe { addr_of!((*start).reversed_triangles) } as usize - start as usize, 8, "obc_mesh_orient_report.reversed_triangles");
         assert_eq!((size_of::<obc_mesh_distance>(), align_of::<obc_mesh_distance>()), (56, 8));
         let it = MaybeUninit::<obc_mesh_distance>::uninit();
         let start = it.as_ptr();

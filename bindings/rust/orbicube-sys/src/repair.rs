@@ -122,7 +122,7 @@ pub struct obc_repair_report {
     pub left_near_degenerate: usize,
     /// splits of an edge at a vertex
     pub t_junctions: usize,
-    pub turned_triangles: usize,
+    pub reversed_triangles: usize,
     pub contact_edges: usize,
     pub contact_vertices: usize,
     pub contact_added_vertices: usize,
@@ -323,7 +323,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).flipped_edges) } as usize - start as usize, 80, "obc_repair_report.flipped_edges");
         assert_eq!(unsafe { addr_of!((*start).left_near_degenerate) } as usize - start as usize, 88, "obc_repair_report.left_near_degenerate");
         assert_eq!(unsafe { addr_of!((*start).t_junctions) } as usize - start as usize, 96, "obc_repair_report.t_junctions");
-        assert_eq!(unsafe { addr_of!((*start).turned_triangles) } as usize - start as usize, 104, "obc_repair_report.turned_triangles");
+        assert_eq!(unsafe { addr_of!((*start).reversed_triangles) } as usize - start as usize, 104, "obc_repair_report.reversed_triangles");
         assert_eq!(unsafe { addr_of!((*start).contact_edges) } as usize - start as usize, 112, "obc_repair_report.contact_edges");
         assert_eq!(unsafe { addr_of!((*start).contact_vertices) } as usize - start as usize, 120, "obc_repair_report.contact_vertices");
         assert_eq!(unsafe { addr_of!((*start).contact_added_vertices) } as usize - start as usize, 128, "obc_repair_report.contact_added_vertices");
