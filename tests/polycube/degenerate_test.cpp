@@ -73,9 +73,38 @@ TEST_CASE("Triangles without height but for rounding do not enter the distortion
   CHECK(d.angle_weighted_mean < without.made.distortion.angle_weighted_mean + 0.1);
   CHECK(d.area_weighted_mean < without.made.distortion.area_weighted_mean + 0.1);
 
+  // Of proportions the same is measured.
+  const CoordinateLayers layers = find_layers(with.made.map, host);
+  const polycube::DomainEnergy energy(with.made.map, layers, DomainMeasure::surface_mean, 0.7, host);
+  CHECK(energy.evaluate(energy.lengths(), {}) ==
+        doctest::Approx(d.angle_weighted_mean + 0.7 * d.area_weighted_mean).epsilon(1e-10));
+
   SurfaceMap map = with.made.map;
   const OptimalDomain domain = optimize_domain(map, {.measure = DomainMeasure::face_mean}, host);
   CHECK(domain.energies.back() < 2.2);
+}
+
+TEST_CASE("What triangles without height in space cover of the polycube does not enter the areas of others") {
+  // The unit cube is its own polycube, an isometry. A vertex in the middle of an edge in space lies outside on the
+  // polycube, so that its triangle covers a third of what the others do: at equal total areas these would have the
+  // ratio 3 / 4.
+  const mesh::Mesh cube = blocks({{0, 0, 0}});
+  SurfaceMap map;
+  map.positions = cube.positions;
+  map.triangles = cube.triangles;
+  map.polycube = cube.positions;
+  const Index a = cube.triangles[0][0], b = cube.triangles[0][1], v = static_cast<Index>(cube.positions.size());
+  const Vector3 side = cube.positions[b] - cube.positions[a];
+  map.positions.push_back(0.5 * (cube.positions[a] + cube.positions[b]));
+  map.polycube.push_back(map.positions.back() + 4 / side.norm() * side.unitOrthogonal());
+  map.triangles.push_back({a, b, v});
+  set_unrefined(map);
+  const Distortion d = measure_distortion(map, host);
+  CHECK(d.left_out == 1);
+  CHECK(d.angle_mean == doctest::Approx(1));
+  CHECK(d.area_mean == doctest::Approx(1));
+  CHECK(d.angle_weighted_mean == doctest::Approx(1));
+  CHECK(d.area_weighted_mean == doctest::Approx(1));
 }
 
 TEST_CASE("A surface scaled by a power of two has the same polycube map, scaled, and the same figures to the bit") {

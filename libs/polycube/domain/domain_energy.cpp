@@ -72,8 +72,8 @@ DomainEnergy::Triangles DomainEnergy::find_cells(const SurfaceMap& map, const Co
     if (t % 4096 == 0) host.report(domain_energy_phase, t, 2 * map.triangles.size());
     const auto& [a, b, c] = map.triangles[t];
     areas[t] = 0.5 * (map.positions[b] - map.positions[a]).cross(map.positions[c] - map.positions[a]).norm();
-    surface_area_ += areas[t];
     if (mesh::is_degenerate(map.positions[a], map.positions[b], map.positions[c], rounding)) areas[t] = 0;
+    surface_area_ += areas[t];
     found.counted += areas[t] > 0;
     const auto axis = static_cast<std::size_t>(axis_of(map.labels[t]));
     std::uint64_t key = axis;
@@ -153,8 +153,9 @@ void DomainEnergy::Cell::add(const Crossing& triangle) {
   if (!(flat_area > 0)) return;
   const double along_first = harmonic_of(triangle.cotangents, at, 0),
                along_second = harmonic_of(triangle.cotangents, at, 1);
-  area += flat_area;
+  whole += flat_area;
   if (!(triangle.area > 0)) return;
+  area += flat_area;
   angle_first += triangle.weight * along_first / flat_area;
   angle_second += triangle.weight * along_second / flat_area;
   ratio += triangle.weight * flat_area / triangle.area;
@@ -192,6 +193,7 @@ DomainEnergy::Totals DomainEnergy::totals(std::span<const double> lengths) const
   Totals sum;
   for (const Cell& cell : cells_) {
     const double u = lengths[cell.first], v = lengths[cell.second];
+    sum.whole += cell.whole * (u * v);
     sum.area += cell.area * (u * v);
     sum.angle += cell.angle_first * (u / v) + cell.angle_second * (v / u);
     sum.ratio += cell.ratio * (u * v);
@@ -202,8 +204,9 @@ DomainEnergy::Totals DomainEnergy::totals(std::span<const double> lengths) const
   for (const Crossing& triangle : crossing_) {
     const Flat f = flat(triangle, lengths);
     if (!(f.area > 0)) return {.area = base::infinity};
-    sum.area += f.area;
+    sum.whole += f.area;
     if (!(triangle.area > 0)) continue;
+    sum.area += f.area;
     sum.angle += triangle.weight * f.harmonic / f.area;
     sum.ratio += triangle.weight * f.area / triangle.area;
     sum.inverse += triangle.weight * triangle.area / f.area;
@@ -258,15 +261,13 @@ void DomainEnergy::add_gradient(const Totals& slope, std::span<const double> len
     gradient[cell.second] += product * u - shape * u / v + 2 * slope.harmonic * cell.harmonic_second * v;
   }
   for (const Crossing& triangle : crossing_) {
+    if (!(triangle.area > 0)) continue;
     const Flat f = flat(triangle, lengths);
-    double by_area = slope.area, by_harmonic = 0;
-    if (triangle.area > 0) {
-      by_harmonic = slope.angle * triangle.weight / f.area + slope.harmonic;
-      by_area += -slope.angle * triangle.weight * f.harmonic / (f.area * f.area) +
-                 slope.ratio * triangle.weight / triangle.area -
-                 slope.inverse * triangle.weight * triangle.area / (f.area * f.area) +
-                 slope.stretch * 2 * f.area / triangle.area;
-    }
+    const double by_harmonic = slope.angle * triangle.weight / f.area + slope.harmonic;
+    const double by_area = slope.area + (-slope.angle * triangle.weight * f.harmonic / (f.area * f.area) +
+                                         slope.ratio * triangle.weight / triangle.area -
+                                         slope.inverse * triangle.weight * triangle.area / (f.area * f.area) +
+                                         slope.stretch * 2 * f.area / triangle.area);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3, previous = (k + 2) % 3;
       for (std::size_t i = 0; i < 2; ++i) {

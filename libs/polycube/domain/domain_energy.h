@@ -26,8 +26,8 @@ enum class DomainMeasure : std::int32_t {
 
 class DomainEnergy {
  public:
-  // The map and its layers are not kept. Triangles that are degenerate in space count for the area of the polycube
-  // alone, those whose area on it is lost in rounding not at all.
+  // The map and its layers are not kept. Triangles that are degenerate in space do not count, as in distortion.h,
+  // but have to keep a positive area on the polycube; those whose area on it is lost in rounding need not.
   DomainEnergy(const SurfaceMap& map, const CoordinateLayers& layers, DomainMeasure measure, double area_weight,
                const base::Host& host);
 
@@ -35,17 +35,18 @@ class DomainEnergy {
   std::size_t cells() const { return cells_.size(); }
   std::size_t crossing() const { return crossing_.size(); }
   std::span<const double> lengths() const { return lengths_; }  // of the intervals as they are
-  double area(std::span<const double> lengths) const { return totals(lengths).area; }
+  // Of the polycube, with all triangles.
+  double area(std::span<const double> lengths) const { return totals(lengths).whole; }
 
   // The energy for positive lengths of the intervals, and its gradient unless that is empty; infinite, without
   // gradient, where a triangle has no positive area. Keeps intermediate results: not for several threads at once.
   double evaluate(std::span<const double> lengths, std::span<double> gradient) const;
 
  private:
-  // The sums that the energy consists of: area of the polycube, sums of angle, r and 1 / r for the ratio r of areas
-  // (each with the triangle's weight), harmonic energy and area stretching.
+  // The sums that the energy consists of: area on the polycube, sums of angle, r and 1 / r for the ratio r of areas
+  // (each with the triangle's weight), harmonic energy and area stretching; and the area with degenerate triangles.
   struct Totals {
-    double area = 0, angle = 0, ratio = 0, inverse = 0, harmonic = 0, stretch = 0;
+    double whole = 0, area = 0, angle = 0, ratio = 0, inverse = 0, harmonic = 0, stretch = 0;
   };
   struct Corner {
     std::array<std::size_t, 2> interval;  // along the two axes of the face
@@ -63,6 +64,7 @@ class DomainEnergy {
     std::size_t first, second;
     double angle_first = 0, angle_second = 0;        // of u / v and of v / u
     double ratio = 0, inverse = 0, area = 0;         // of u v, 1 / (u v) and u v
+    double whole = 0;                                // of u v
     double harmonic_first = 0, harmonic_second = 0;  // of u^2 and v^2
     double stretch = 0;                              // of (u v)^2
   };

@@ -44,9 +44,9 @@ TriangleMeasure::TriangleMeasure(const SurfaceMap& map)
 
 TriangleChange TriangleMeasure::operator()(const Triangle& t) const {
   const auto p = corners(map_.positions, t, scale_in_space_), q = corners(map_.polycube, t, scale_on_polycube_);
+  if (mesh::is_degenerate(p[0], p[1], p[2], rounding_)) return {0, 0, 0};
   TriangleChange result{area_of(p), area_of(q), 0};
-  if (!(result.area > 0) || !(result.area_on_polycube > 0) || mesh::is_degenerate(p[0], p[1], p[2], rounding_))
-    return result;
+  if (!(result.area > 0) || !(result.area_on_polycube > 0)) return result;
   double sum = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
