@@ -103,6 +103,28 @@ double length_of_arcs(const mesh::FeatureGraph& graph, std::span<const Vector3> 
 
 }  // namespace
 
+TEST_CASE("An arc whose corners lie at one place requires no cells, and others are the most demanding") {
+  const HexMesh cells = hexahedra_of_cells({1, 1, 1}, std::vector<std::uint8_t>{1}, host);
+  const Array<mesh::Triangle> triangles = halves_of(cells.quads, host.memory);
+  const mesh::FeatureGraph graph = mesh::feature_graph(cells.positions, triangles, {}, host);
+  REQUIRE(graph.arcs.size() == 12);
+  // The cube becomes a wedge that lacks its first edge.
+  Array<Vector3> positions(cells.positions, host.memory);
+  const auto& ends = graph.arcs[0].corners;
+  positions[graph.corners[ends[0]].vertex] = positions[graph.corners[ends[1]].vertex];
+  const FeatureShape shape(positions, triangles, graph, 10, host);
+  REQUIRE(shape.length(0) == 0);
+  const FeatureDemands demands(shape, 1, 2, host);
+  const std::vector<double> strength(graph.arcs.size(), 1);
+  // Three edges of 10 cells from each of the other corners are alike, those at the place where two are may be longer.
+  const Array<Index> most = demands.most_demanding(strength, host);
+  CHECK(std::ranges::count(most, Index{0}) == 0);
+  CHECK(most.size() == 11);
+  AxisGrading grading(Vector3(0, 0, 0), Vector3(10, 10, 10), 8, host);
+  demands.refine(strength, 1, grading);
+  CHECK(grading.size(Vector3(5, 5, 5)).minCoeff() == doctest::Approx(8));
+}
+
 TEST_CASE("A graded grid counts cells, and takes the count back") {
   AxisGrading grading(Vector3(0, 0, 0), Vector3(4, 2, 1), 0.25, host);
   CHECK((grading.cells(Vector3(4, 2, 1)) - Vector3(16, 8, 4)).norm() < 1e-9);

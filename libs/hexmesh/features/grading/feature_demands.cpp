@@ -50,6 +50,7 @@ void FeatureDemands::add_arc(Index arc) {
   const auto v = shape_.graph().vertices_of(shape_.graph().arcs[arc]);
   const auto bends = shape_.bends(arc);
   const double length = shape_.length(arc);
+  if (!(length > 0)) return;  // no cell is small enough
   double from = 0, at = 0;
   std::size_t next = 0;
   const auto end_of_part = [&] { return next < bends.size() ? bends[next] : length; };
@@ -64,6 +65,7 @@ void FeatureDemands::add_arc(Index arc) {
 
 void FeatureDemands::add_turns(Index arc, double straight) {
   const double length = shape_.length(arc), window = std::min(straight, length / 2);
+  if (!(window > 0)) return;
   const auto places = static_cast<int>(std::ceil(4 * length / window));
   for (int i = 1; i < places; ++i) {
     const double s = std::clamp(length * i / places, window / 2, length - window / 2);
@@ -80,7 +82,7 @@ void FeatureDemands::add_gaps(Index arc, Index other, double reach) {
   for (const Index v : shape_.graph().vertices_of(shape_.graph().arcs[arc])) {
     const Vector3& from = shape_.positions()[v];
     const FeatureShape::ArcPoint to = shape_.nearest_on_arc(other, from);
-    if (to.distance < reach) demands_.push_back({from, to.position, to.distance, arc, other, reach});
+    if (to.distance > 0 && to.distance < reach) demands_.push_back({from, to.position, to.distance, arc, other, reach});
   }
 }
 
