@@ -1,6 +1,7 @@
 #include "session/mistakes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 
 namespace orbicube::cli {
@@ -21,6 +22,12 @@ std::size_t distance(const std::string& a, const std::string& b) {
     }
   }
   return d[a.size()][b.size()];
+}
+
+std::string in_small_letters(std::string word) {
+  for (char& c : word)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
 }
 
 std::string meant(const std::string& word, const std::vector<std::string>& known) {
@@ -47,9 +54,8 @@ std::vector<std::string> options_of(const CLI::App& verb) {
   return names;
 }
 
-// The first option of the command line that the verb does not have.
-std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
-  const std::vector<std::string> known = options_of(verb);
+// The first option of the command line that is none of these.
+std::string unknown_option(const std::vector<std::string>& known, int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
     if (!word.starts_with("--") || word == "--") continue;
@@ -63,10 +69,17 @@ std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
 
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known) {
   const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
-  std::size_t least = std::clamp<std::size_t>(letters / 3, 1, 3);
+  const std::string given = in_small_letters(word);
   std::vector<std::string> nearest;
+  constexpr std::size_t least_beginning = 3, most_beginnings = 3;
+  std::ranges::copy_if(known, std::back_inserter(nearest), [&](const std::string& other) {
+    return letters >= least_beginning && other.starts_with(given);
+  });
+  if (!nearest.empty() && nearest.size() <= most_beginnings) return nearest;
+  nearest.clear();
+  std::size_t least = std::clamp<std::size_t>(letters / 3, 1, 3);
   for (const std::string& other : known) {
-    const std::size_t d = distance(word, other);
+    const std::size_t d = distance(given, other);
     if (d < least) nearest.clear();
     if (d <= least) nearest.push_back(other);
     least = std::min(least, d);
@@ -76,16 +89,22 @@ std::vector<std::string> nearest_words(const std::string& word, const std::vecto
 
 std::string mistake(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   if (const auto verbs = app.get_subcommands(); !verbs.empty()) {
-    const std::string option = unknown_option(*verbs.front(), argc, argv);
+    const std::vector<std::string> known = options_of(*verbs.front());
+    const std::string option = unknown_option(known, argc, argv);
     if (option.empty()) return error.what();
-    if (error.get_name() != "ExtrasError") return error.what() + meant(option, options_of(*verbs.front()));
-    return "there is no option " + option + meant(option, options_of(*verbs.front()));
+    // The name of such an error is that of the verb.
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+      return "there is no option " + option + meant(option, known);
+    return error.what() + meant(option, known);
   }
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (!word.starts_with('-')) return "there is no verb '" + word + "'" + meant(word, verbs_of(app));
     if (word.find('=') == std::string::npos) break;  // what follows may be the value of an option
   }
+  const std::vector<std::string> known = options_of(app);
+  if (const std::string option = unknown_option(known, argc, argv); !option.empty())
+    return "there is no option " + option + " before a verb" + meant(option, known);
   return error.get_name() == "RequiredError" ? "a verb is missing" : error.what();
 }
 

@@ -7,8 +7,9 @@
 
 namespace orbicube::cli {
 
-// Of `known`, the word nearest to `word`, with at most a third of its letters, and at most three, different.
-// Letters that are left out, put in, wrong or exchanged count one each.
+// Of `known`, the words that begin with `word`, of at least three letters, if at most three do; else those
+// nearest to it, with at most a third of its letters, and at most three, different. Letters that are left out, put in,
+// wrong or exchanged count one each; capitals are as small letters.
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known);
 
 // The message for the user.

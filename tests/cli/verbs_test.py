@@ -57,10 +57,16 @@ class CommandLine(InFolder):
         for arguments, meant in ((("sphera", cube), "sphere"), (("shpere", cube, "-o", out), "sphere"), (("comvert",), "convert"),
                                  (("sphere", cube, "-o", out, "--methd", "stretch"), "--method"),
                                  (("sphere", cube, "-o", out, "--remseh=x.obj"), "--remesh"),
-                                 (("make", "cube", "-o", out, "--resolutoin", "5"), "--resolution")):
+                                 (("make", "cube", "-o", out, "--resolutoin", "5"), "--resolution"),
+                                 (("SPHERE", cube), "sphere"), (("harm", cube), "harmonics"), (("Conv", cube), "convert"),
+                                 (("--versoin",), "--version"), (("--quite", "info", cube), "--quiet"),
+                                 (("sphere", cube, "-o", out, "--area", "1"), "--area-weight")):
             done = run(*arguments)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("did you mean " + meant, done.stderr)
+            self.assertIn("did you mean " + meant + "?", done.stderr)
+        # Words around an option that there is not are not what is wrong.
+        self.assertRegex(run("sphere", "--methd", "stretch", cube, "-o", out).stderr,
+                         r"usage: there is no option --methd; did you mean --method\?; see 'orbicube sphere --help'\n\Z")
         for arguments in (("sing",), ("sphere", cube, "-o", out, "--xylophone")):
             self.assertNotIn("did you mean", run(*arguments).stderr)
 
