@@ -187,3 +187,39 @@ TEST_CASE("Vertices of solids at one position are welded on request") {
   CHECK(joined.tetrahedra == Array<Tetrahedron>{{0, 1, 2, 3}, {0, 2, 1, 4}});
   CHECK(report.notes.empty());
 }
+
+TEST_CASE("OBJ: faces written fo or in capitals are read, and lines that no OBJ file has are reported") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  CHECK(notes_of(Format::obj, vertices + "fo 1 3 2\nF 1 2 4\nf 2 3 4\nf 1 4 3\n", 4).empty());
+  CHECK(notes_of(Format::obj, in_capitals(vertices) + "F 1 3 2\n", 1).empty());
+  const Notes notes = notes_of(Format::obj, vertices + "f 1 3 2\nface 1 2 4\nbogus\n", 1);
+  CHECK(notes == Notes{"2 lines were passed over that no OBJ file has (line 6: 'face')"});
+}
+
+TEST_CASE("files in another wrapping are named as such, whatever their ending") {
+  const std::string zeros(300, '\0');
+  std::string utf_16;
+  for (const char c : stl())
+    utf_16 += std::string{c, '\0'};
+  for (const Format format : {Format::stl, Format::obj, Format::off, Format::ply, Format::medit, Format::vtk}) {
+    CAPTURE(static_cast<int>(format));
+    CHECK(ends_as(format, "\x1F\x8B\x08" + zeros, "unsupported-format", "gzip"));
+    CHECK(ends_as(format, "PK\x03\x04" + zeros, "unsupported-format", "zip"));
+    CHECK(ends_as(format, utf_16, "unsupported-format", "UTF-16"));
+    CHECK(ends_as(format, "\xFF\xFE" + utf_16, "unsupported-format", "UTF-16"));
+  }
+  CHECK(ends_as(Format::medit, std::string("\1\0\0\0\2\0\0\0", 8) + zeros, "unsupported-format", "binary MEDIT"));
+}
+
+TEST_CASE("ASCII STL: without a first solid, and all on one line") {
+  CHECK(notes_of(Format::stl, replaced(stl(), "solid part\nfacet", "facet"), 4).empty());
+  CHECK(notes_of(Format::stl, replaced(stl(), "\n", " "), 4).empty());
+  CHECK(outcome(Format::stl, "# by a program\n" + stl()).starts_with("parse: line 1"));
+}
+
+TEST_CASE("numbers: exponents of Fortran, and whole numbers with a decimal point") {
+  CHECK(notes_of(Format::medit, replaced(medit_solid, "1 0 0 0\n", "1.0D+00 0.0d0 0 0\n"), 0, 1).empty());
+  CHECK(notes_of(Format::medit, replaced(medit_solid, "1 2 3 4 0", "1.0 2.0 3.0 4.0 0"), 0, 1).empty());
+  CHECK(ends_as(Format::medit, replaced(medit_solid, "1 2 3 4 0", "1.5 2 3 4 0"), "parse", "1.5"));
+  CHECK(ends_as(Format::medit, replaced(medit_solid, "1 0 0 0\n", "1.0D 0 0 0\n"), "parse", "1.0D"));
+}

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
+#include "mesh/files/wrapped_file.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
 #include "mesh/topology/weld.h"
@@ -53,6 +54,8 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   // below.
   if (bytes.size() / 3 >= no_index) throw base::Error("unsupported", "files of 12 GB or more are not read");
   if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
+  // A binary STL file may begin with anything: its reader looks whether it is one.
+  if (format != Format::stl) refuse_wrapped(bytes);
   Mesh mesh = row_of(format).read(bytes, host, r);
   if (mesh.triangles.empty() && !has_cells(mesh)) {
     throw base::Error("empty-mesh", mesh.positions.empty()

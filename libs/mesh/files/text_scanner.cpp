@@ -129,14 +129,38 @@ Vector3 TextScanner::point_after_space() {
   return point;
 }
 
+const char* TextScanner::real(const char* start, double& value) const {
+  const auto [stop, problem] = fast_float::from_chars(start, end_, value);
+  if (problem == std::errc::invalid_argument) return nullptr;
+  if (ends_number(stop)) return stop;
+  // 1.5D+03 of Fortran.
+  if (*stop != 'D' && *stop != 'd') return nullptr;
+  const char* last = stop;
+  while (!ends_number(last))
+    ++last;
+  std::string text(start, last);
+  text[static_cast<std::size_t>(stop - start)] = 'e';
+  const char* const end_of_text = text.data() + text.size();
+  const auto [end, wrong] = fast_float::from_chars(text.data(), end_of_text, value);
+  return wrong != std::errc::invalid_argument && end == end_of_text ? last : nullptr;
+}
+
+const char* TextScanner::whole_number(const char* start, std::int64_t& value) const {
+  constexpr double exact = 9007199254740992;  // 2^53
+  double x = 0;
+  const char* const stop = real(start, x);
+  if (stop == nullptr || !(std::abs(x) < exact) || x != std::trunc(x)) return nullptr;
+  value = static_cast<std::int64_t>(x);
+  return stop;
+}
+
 double TextScanner::coordinate(const char* what) {
   require_more(what);
   const char* start = at_;
   if (*start == '+' && start + 1 != end_ && start[1] != '-') ++start;
   double value = 0;
-  const auto [stop, problem] = fast_float::from_chars(start, end_, value);
-  const bool ends = stop == end_ || is_space(*stop) || (comment_ != 0 && *stop == comment_);
-  if (problem == std::errc::invalid_argument || !ends) fail("parse", std::string(what) + " expected, found " + found());
+  const char* const stop = real(start, value);
+  if (stop == nullptr) fail("parse", std::string(what) + " expected, found " + found());
   if (!std::isfinite(value)) fail("non-finite", std::string(what) + " is " + found());
   at_ = stop;
   return value;
@@ -146,11 +170,10 @@ std::int64_t TextScanner::integer(const char* what, const char* too_large) {
   require_more(what);
   const char* start = at_ + (*at_ == '+' && at_ + 1 != end_ && at_[1] != '-');
   std::int64_t value = 0;
-  const auto [stop, problem] = std::from_chars(start, end_, value);
+  auto [stop, problem] = std::from_chars(start, end_, value);
   if (problem == std::errc::result_out_of_range) fail(too_large, std::string(what) + " is out of range: " + found());
-  if (problem != std::errc() || (stop != end_ && !is_space(*stop) && *stop != comment_)) {
-    fail("parse", std::string(what) + " expected, found " + found());
-  }
+  if (problem == std::errc() && !ends_number(stop)) stop = whole_number(start, value);
+  if (problem != std::errc() || stop == nullptr) fail("parse", std::string(what) + " expected, found " + found());
   at_ = stop;
   return value;
 }
@@ -179,10 +202,11 @@ std::int64_t TextScanner::any_index() {
 Index TextScanner::index(std::int64_t first, std::size_t limit) {
   require_more("a vertex index");
   const char* start = at_;
-  const std::int64_t value = any_index();
-  if (at_ != end_ && !is_space(*at_) && *at_ != comment_) {
-    at_ = start;
-    fail("parse", "a vertex index expected, found " + found());
+  std::int64_t value = any_index();
+  if (!ends_number(at_)) {
+    const char* const stop = whole_number(start, value);
+    at_ = stop == nullptr ? start : stop;
+    if (stop == nullptr) fail("parse", "a vertex index expected, found " + found());
   }
   if (value < first || static_cast<std::uint64_t>(value - first) >= limit) {
     at_ = start;

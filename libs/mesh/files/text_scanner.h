@@ -65,10 +65,11 @@ class TextScanner {
   // Three coordinates, likewise.
   Vector3 point_after_space();
 
-  // A number at the place reached, in this line (after blanks). Throws "parse", naming `what` was expected and what was
-  // found, "truncated" where the file ends there, "non-finite" for what is no finite number.
+  // A number at the place reached, in this line (after blanks), with Fortran's exponents too. Throws "parse", naming
+  // `what` was expected and what was found, "truncated" where the file ends there, "non-finite" for what is no finite
+  // number.
   double coordinate(const char* what);
-  // `too_large` is the kind of error for what 64 bits do not hold.
+  // Also one that is written as a real number. `too_large` is the kind of error for what 64 bits do not hold.
   std::int64_t integer(const char* what, const char* too_large = "parse");
   // Past a word wherever it stands, whatever it is; "truncated" where the file ends.
   void skip_word(const char* what);
@@ -102,6 +103,12 @@ class TextScanner {
   }
   bool is_space(char c) const { return is_blank(c) || c == line_end_ || c == '\r' || c == '\n'; }
   void skip_blanks();
+  bool ends_number(const char* stop) const {
+    return stop == end_ || is_space(*stop) || (comment_ != 0 && *stop == comment_);
+  }
+  // Where the number ends that begins at `start` and has a blank behind it; nullptr where there is none.
+  const char* real(const char* start, double& value) const;
+  const char* whole_number(const char* start, std::int64_t& value) const;
   void report() const;
   std::string found() const;
   void require_more(const char* what);

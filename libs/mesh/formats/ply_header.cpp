@@ -27,13 +27,13 @@ std::optional<PlyType> type_named(std::string_view word) {
 
 PlyType read_type(TextScanner& scanner) {
   const std::string_view word = scanner.word();
-  const auto type = type_named(word);
+  const auto type = type_named(in_small_letters(word));
   if (!type) scanner.fail("parse", in_quotes(word) + " is no type of a PLY property");
   return *type;
 }
 
 PlyForm read_form(TextScanner& scanner) {
-  const std::string_view word = scanner.word();
+  const std::string word = in_small_letters(scanner.word());
   if (word == "ascii") return PlyForm::ascii;
   if (word == "binary_little_endian") return PlyForm::little_endian;
   if (word == "binary_big_endian") return PlyForm::big_endian;
@@ -42,7 +42,7 @@ PlyForm read_form(TextScanner& scanner) {
 
 PlyProperty read_property(TextScanner& scanner) {
   PlyProperty property{};
-  if (scanner.starts_with("list")) {
+  if (scanner.starts_with_ignoring_case("list")) {
     scanner.word();
     property.count_type = read_type(scanner);
     if (property.count_type == PlyType::float32 || property.count_type == PlyType::float64) {
@@ -50,7 +50,7 @@ PlyProperty read_property(TextScanner& scanner) {
     }
   }
   property.type = read_type(scanner);
-  property.name = scanner.word();
+  property.name = in_small_letters(scanner.word());
   if (property.name.empty()) scanner.fail("parse", "a property without a name");
   return property;
 }
@@ -90,10 +90,10 @@ std::size_t PlyElement::min_size() const {
 }
 
 PlyHeader read_ply_header(TextScanner& scanner) {
-  if (scanner.word() != "ply") throw base::Error("bad-magic", "line 1: a PLY file starts with ply");
+  if (in_small_letters(scanner.word()) != "ply") throw base::Error("bad-magic", "line 1: a PLY file starts with ply");
   const auto rest = scanner.rest();
-  if (std::string_view(reinterpret_cast<const char*>(rest.data()), rest.size()).find("end_header") ==
-      std::string_view::npos) {
+  const std::string_view text(reinterpret_cast<const char*>(rest.data()), rest.size());
+  if (text.find("end_header") == std::string_view::npos && text.find("END_HEADER") == std::string_view::npos) {
     throw base::Error("truncated", "the header has no end_header");
   }
   PlyHeader header{};
@@ -101,14 +101,14 @@ PlyHeader read_ply_header(TextScanner& scanner) {
   for (;;) {
     scanner.next_line();
     if (scanner.at_end_of_file()) scanner.fail("truncated", "the file ends before the line end_header");
-    const std::string_view keyword = scanner.word();
+    const std::string keyword = in_small_letters(scanner.word());
     if (keyword == "end_header") break;
     if (keyword == "format") {
       header.form = read_form(scanner);
       has_form = true;
     } else if (keyword == "element") {
       const std::string_view name = scanner.word();
-      header.elements.push_back({std::string(name), scanner.count("the number of elements"), {}});
+      header.elements.push_back({in_small_letters(name), scanner.count("the number of elements"), {}});
     } else if (keyword == "property") {
       if (header.elements.empty()) scanner.fail("parse", "a property before any element");
       header.elements.back().properties.push_back(read_property(scanner));

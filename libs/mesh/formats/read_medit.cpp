@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -5,6 +6,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/error.h"
 #include "mesh/files/faces_and_cells.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/text_scanner.h"
@@ -233,6 +235,11 @@ class MeditReader {
 }  // namespace
 
 Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+  // Binary files begin with the number 1, in the byte order of their machine.
+  constexpr std::array one = {std::byte{1}, std::byte{0}, std::byte{0}, std::byte{0}};
+  if (bytes.size() >= one.size() &&
+      (std::ranges::equal(bytes.first(4), one) || std::equal(one.rbegin(), one.rend(), bytes.begin())))
+    throw base::Error("unsupported-format", "binary MEDIT files (.meshb) are not read, only text files are");
   return MeditReader(bytes, host, report).run();
 }
 

@@ -27,10 +27,11 @@ class ObjReader {
 
   Mesh run() {
     for (; !scanner_.at_end_of_file(); scanner_.next_line()) {
-      const std::string_view keyword = scanner_.word();
+      // Keywords of some programs are in capitals; "fo" is the face of files before 1995.
+      const std::string keyword = in_small_letters(scanner_.word());
       if (keyword == "v") {
         vertex();
-      } else if (keyword == "f") {
+      } else if (keyword == "f" || keyword == "fo") {
         face();
       } else if (report_.tags && (keyword == "l" || keyword == "p")) {
         tag(keyword == "l");
@@ -49,6 +50,9 @@ class ObjReader {
     faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
     if (lines_ > 0)
       report_.notes.push_back(base::counted(lines_, "line or point was", "lines and points were") + " passed over");
+    if (unknown_ > 0)
+      report_.notes.push_back(base::counted(unknown_, "line was", "lines were") +
+                              " passed over that no OBJ file has (" + first_unknown_ + ")");
     if (free_form_ > 0)
       report_.notes.push_back(
           base::counted(free_form_, "curve or surface of free form was", "curves and surfaces of free form were") +
@@ -64,13 +68,23 @@ class ObjReader {
 
  private:
   // Lines that say nothing of faces, counted for the notes.
-  void pass_over(std::string_view keyword) {
+  void pass_over(const std::string& keyword) {
+    constexpr std::string_view known =
+        " vt vn vp g s o mg mtllib usemtl usemap maplib l p curv curv2 surf cstype deg bmat step parm trim hole scrv "
+        "sp "
+        "end con bevel c_interp d_interp lod shadow_obj trace_obj ctech stech ";
+    constexpr std::string_view free_form = " curv curv2 surf bzp bsp cdc cdp res ";
+    const std::string between = " " + keyword + " ";
+    if (free_form.find(between) != std::string_view::npos) {
+      ++free_form_;
+    } else if (known.find(between) == std::string_view::npos && unknown_++ == 0) {
+      first_unknown_ = "line " + std::to_string(scanner_.line_of(scanner_.place())) + ": " + in_quotes(keyword);
+    }
     texture_coordinates_ += keyword == "vt";
     normals_ += keyword == "vn";
     materials_ += keyword == "usemtl";
     groups_ += (keyword == "g" || keyword == "o") && !scanner_.at_end_of_line();
     lines_ += keyword == "l" || keyword == "p";
-    free_form_ += keyword == "curv" || keyword == "curv2" || keyword == "surf";
   }
 
   void vertex() {
@@ -138,7 +152,8 @@ class ObjReader {
   std::int64_t max_index_ = 0;
   const char* place_of_largest_ = nullptr;
   std::size_t texture_coordinates_ = 0, normals_ = 0, colors_ = 0, materials_ = 0, groups_ = 0, lines_ = 0;
-  std::size_t free_form_ = 0;
+  std::size_t free_form_ = 0, unknown_ = 0;
+  std::string first_unknown_;
 };
 
 }  // namespace

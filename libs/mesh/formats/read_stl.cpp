@@ -8,6 +8,7 @@
 #include "base/counted.h"
 #include "mesh/files/binary_scanner.h"
 #include "mesh/files/text_scanner.h"
+#include "mesh/files/wrapped_file.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/topology/topology.h"
 #include "mesh/topology/weld.h"
@@ -108,7 +109,10 @@ class TextReader {
     for (bool first = true; !scanner_.at_end_of_line(); first = false) {
       const std::string_view word = scanner_.word();
       const std::string keyword = in_small_letters(word.substr(0, 12));
-      if (keyword == "solid") return begin_solid();
+      if (keyword == "solid") {
+        if (begin_solid()) continue;
+        return;
+      }
       if (keyword == "endsolid" || (keyword == "end" && next_is("solid"))) return end_solid();
       if (keyword == "vertex") {
         vertex();
@@ -138,9 +142,15 @@ class TextReader {
   void require_whole_facet(const char* keyword) const {
     if (corners_ != 0 || state_ == State::in_facet) scanner_.fail("parse", std::string(keyword) + " inside a facet");
   }
-  void begin_solid() {
+  // The name goes on to the end of the line, or to the first facet where that has all of the file.
+  bool begin_solid() {
     require_whole_facet("solid");
     state_ = State::in_solid;
+    constexpr std::size_t longest_name = 1000;  // bytes: many solids on one line must not be searched to its end each
+    const std::size_t facet = in_small_letters(scanner_.line().substr(0, longest_name)).find("facet normal");
+    if (facet == std::string::npos) return false;
+    scanner_.skip_bytes(facet);
+    return true;
   }
   void end_solid() {
     require_whole_facet("endsolid");
@@ -186,21 +196,25 @@ std::span<const std::byte> without_padding(std::span<const std::byte> bytes) {
   return bytes;
 }
 
-// Binary headers may begin with "solid" too: then the size decides, or a NUL, which no text has.
+bool has_size_of_binary(std::span<const std::byte> bytes) {
+  if (bytes.size() < header_size + 4) return false;
+  std::array<unsigned char, 4> count{};
+  std::memcpy(count.data(), bytes.data() + header_size, count.size());
+  const std::uint64_t facets = count[0] + 0x100ULL * count[1] + 0x10000ULL * count[2] + 0x1000000ULL * count[3];
+  return bytes.size() == header_size + 4 + facets * facet_size;
+}
+
+// Of a file that has not the size that its header says: whether it is binary all the same. Binary headers may begin
+// with "solid" too: then a NUL decides, which no text has. Texts that begin otherwise have their say in messages.
 bool is_binary(std::span<const std::byte> bytes) {
-  if (bytes.size() >= header_size + 4) {
-    std::array<unsigned char, 4> count{};
-    std::memcpy(count.data(), bytes.data() + header_size, count.size());
-    const std::uint64_t facets = count[0] + 0x100ULL * count[1] + 0x10000ULL * count[2] + 0x1000000ULL * count[3];
-    if (bytes.size() == header_size + 4 + facets * facet_size) return true;
-  }
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   text.remove_prefix(std::min(text.find_first_not_of(" \t\v\f\r\n"), text.size()));
-  if (in_small_letters(text.substr(0, 5)) != "solid") return true;
   const std::span<const std::byte> whole = without_padding(bytes);
   const std::string_view kept(reinterpret_cast<const char*>(whole.data()), whole.size());
+  if (in_small_letters(text.substr(0, 5)) != "solid")
+    return bytes.size() < header_size + 4 || std::ranges::any_of(kept, [](char c) { return c >= 0 && c < '\t'; });
   if (kept.find('\0') == std::string_view::npos) {
     // A binary file may end in zeros as well; a text that is one says what its facets are.
     return bytes.size() != whole.size() && in_small_letters(kept).find("vertex") == std::string::npos;
@@ -211,7 +225,11 @@ bool is_binary(std::span<const std::byte> bytes) {
 }  // namespace
 
 Mesh read_stl(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
-  const bool binary = is_binary(bytes);
+  bool binary = has_size_of_binary(bytes);
+  if (!binary) {
+    refuse_wrapped(bytes);
+    binary = is_binary(bytes);
+  }
   report.format = binary ? "STL, binary" : "STL, ASCII";
   return binary ? read_binary(bytes, host, report) : TextReader(without_padding(bytes), host, report).run();
 }

@@ -266,18 +266,19 @@ Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
   // The first three lines: magic with version, a title, ASCII or BINARY.
   BinaryScanner scanner(bytes, 0, std::endian::big, host);
   const auto magic = words_of(scanner.line());
-  if (magic.size() < 5 || magic[1] != "vtk" || magic[2] != "DataFile") {
+  if (magic.size() < 5 || in_small_letters(magic[1]) != "vtk" || in_small_letters(magic[2]) != "datafile") {
     throw base::Error("bad-magic", "line 1: a legacy VTK file starts with # vtk DataFile Version");
   }
   const bool with_offsets = magic[4].substr(0, magic[4].find('.')) >= "5" && magic[4][0] <= '9';
   scanner.line();
   const auto form = words_of(scanner.line());
   if (form.empty()) scanner.fail("truncated", "the file ends inside its header");
-  if (form[0] == "BINARY") {
+  if (in_small_letters(form[0]) == "binary") {
     report.format = "VTK, binary";
     return VtkReader(VtkBinaryBody(scanner), with_offsets, host, report).run();
   }
-  if (form[0] != "ASCII") scanner.fail("parse", "line 3: ASCII or BINARY expected, found " + in_quotes(form[0]));
+  if (in_small_letters(form[0]) != "ascii")
+    scanner.fail("parse", "line 3: ASCII or BINARY expected, found " + in_quotes(form[0]));
   report.format = "VTK, ASCII";
   TextScanner text(bytes, 0, host);
   for (int line = 0; line < 3; ++line)
