@@ -238,7 +238,7 @@ Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadRe
   // Binary files begin with the number 1, in the byte order of their machine.
   constexpr std::array one = {std::byte{1}, std::byte{0}, std::byte{0}, std::byte{0}};
   if (bytes.size() >= one.size() &&
-      (std::ranges::equal(bytes.first(4), one) || std::equal(one.rbegin(), one.rend(), bytes.begin())))
+      (std::equal(one.begin(), one.end(), bytes.begin()) || std::equal(one.rbegin(), one.rend(), bytes.begin())))
     throw base::Error("unsupported-format", "binary MEDIT files (.meshb) are not read, only text files are");
   return MeditReader(bytes, host, report).run();
 }
