@@ -147,12 +147,14 @@ def detection(orbicube, folder, table, first):
 Share of the points with a false-discovery rate of 0.05 or less: where the growth is at least a tenth of its maximum, where it is less, and on the other half, which has none.
 The difference is the group's, by the displacement of the points at the pole and the maximum on the other half, in units of the radius.
 
-| align, placement | grown | margin | other half | family-wise, grown | family-wise, other half | difference at the pole | on the other half |
+| align, placement, test | grown | margin | other half | family-wise, grown | family-wise, other half | difference at the pole | on the other half |
 |---|---|---|---|---|---|---|---|
 """
     # The last is what null studies continue.
-    for align, placement in (("shape", "turned"), ("rotation", "kept"), ("rotation", "scaled"), ("rotation", "turned")):
-        run(orbicube, "study", table, "-o", os.path.join(folder, "out"), *GRID, "--groups", "group", "--align", align, "--placement", placement)
+    for align, placement, test in (("shape", "robust", "normal"), ("shape", "turned", "position"), ("rotation", "kept", "normal"),
+                                   ("rotation", "turned", "position"), ("rotation", "robust", "normal")):
+        run(orbicube, "study", table, "-o", os.path.join(folder, "out"), *GRID, "--groups", "group", "--align", align, "--placement", placement,
+            "--test", test)
         data, z = arrays(os.path.join(folder, "out", "mean.vtk")), heights(first, os.path.join(folder, "out", "subjects", "s000.ply"))
         places = ([v for v in range(POINTS) if z[v] > 0 and z[v] ** 4 >= 0.1],
                   [v for v in range(POINTS) if z[v] > 0 and z[v] ** 4 < 0.1], [v for v in range(POINTS) if z[v] <= 0])
@@ -162,7 +164,7 @@ The difference is the group's, by the displacement of the points at the pole and
         cells += [percent([wise[v] <= LEVEL for v in place]) for place in (places[0], places[2])]
         top = max(range(POINTS), key=lambda v: z[v])
         cells += [f"{length[top]:.3f}", f"{max(length[v] for v in places[2]):.3f}"]
-        text += f"| {align}, {placement} | " + " | ".join(cells) + " |\n"
+        text += f"| {align}, {placement}, {test} | " + " | ".join(cells) + " |\n"
     return text
 
 

@@ -169,7 +169,8 @@ void refuse_unused_tetrahedralize_options(const CLI::App& verb) {
 }
 
 void refuse_unused_study_options(const CLI::App& verb) {
-  refuse_without(verb, "--permutations", {"--groups", "--covariate"});
+  for (const char* option : {"--permutations", "--test"})
+    refuse_without(verb, option, {"--groups", "--covariate"});
   refuse_if(verb.count("--subjects") > 0 && given_or(verb, "--stage", "all") != "subjects", "--subjects",
             "--stage subjects");
 }

@@ -9,6 +9,7 @@
 
 #include "base/counted.h"
 #include "correspondence/statistics/group_test.h"
+#include "correspondence/study/robust_placement.h"
 #include "report/text.h"
 
 namespace orbicube::cli {
@@ -99,8 +100,10 @@ void require_columns(const StudyTests& tests, const std::vector<StudySubject>& l
 
 std::vector<PointData> run_tests(const StudyTests& tests, const std::vector<StudySubject>& list,
                                  const StudySubjects& subjects, const correspondence::Population& shapes,
-                                 Session& session) {
-  const correspondence::GroupTestOptions options{tests.permutations, session.seed()};
+                                 std::span<const mesh::Triangle> grid, Session& session) {
+  base::Array<mesh::Vector3> normals;
+  if (tests.test == "normal") normals = correspondence::normals_of_mean(shapes, grid, session.host());
+  const correspondence::GroupTestOptions options{tests.permutations, session.seed(), normals};
   const auto points = static_cast<std::size_t>(shapes.cols() / 3);
   std::vector<const StudySubject*> mapped;
   for (const MappedSubject& subject : subjects.mapped)

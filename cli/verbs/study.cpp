@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "base/counted.h"
 #include "correspondence/statistics/outliers.h"
+#include "correspondence/study/robust_placement.h"
 #include "files/surface_file.h"
 #include "images/label_file.h"
 #include "report/grid_choice.h"
@@ -29,7 +31,7 @@ struct StudyOptions {
   std::string input, output;
   std::string grid = "icosphere:5";
   std::string align = "shape";
-  std::string placement = "turned";
+  std::string placement = "robust";
   std::size_t modes = 5;
   std::int32_t label = 0;
   StudyPart part;
@@ -37,17 +39,12 @@ struct StudyOptions {
 };
 
 Json json_of(const StudyOptions& options) {
-  return {{"output", options.output},
-          {"stage", options.part.stage},
-          {"only", options.part.subjects},
-          {"grid", options.grid},
-          {"align", options.align},
-          {"placement", options.placement},
-          {"modes", options.modes},
-          {"label", options.label},
-          {"groups", options.tests.groups},
-          {"covariate", options.tests.covariate},
-          {"permutations", options.tests.permutations}};
+  return {{"output", options.output},       {"stage", options.part.stage},
+          {"only", options.part.subjects},  {"grid", options.grid},
+          {"align", options.align},         {"placement", options.placement},
+          {"modes", options.modes},         {"label", options.label},
+          {"groups", options.tests.groups}, {"covariate", options.tests.covariate},
+          {"test", options.tests.test},     {"permutations", options.tests.permutations}};
 }
 
 // Makes the folders and returns the first. Throws Failure.
@@ -65,9 +62,12 @@ std::filesystem::path made_folder(const StudyOptions& options) {
   return folder;
 }
 
-correspondence::Pose pose_of(const std::string& placement) {
-  if (placement == "kept") return correspondence::Pose::kept;
-  return placement == "scaled" ? correspondence::Pose::scaled : correspondence::Pose::turned;
+correspondence::GroupPose placed(const std::string& placement, correspondence::Population& shapes,
+                                 std::span<const mesh::Triangle> triangles, const base::Host& host) {
+  using correspondence::Pose;
+  if (placement == "robust") return correspondence::place_robustly(shapes, triangles, host);
+  if (placement == "kept") return correspondence::place_group(Pose::kept, shapes, host);
+  return correspondence::place_group(placement == "scaled" ? Pose::scaled : Pose::turned, shapes, host);
 }
 
 correspondence::Population population_of(const StudySubjects& subjects) {
@@ -105,12 +105,12 @@ void analyze_group(const StudyOptions& options, const StudySubjects& subjects, S
                    correspondence::Population& shapes, Session& session) {
   const base::Host& host = session.host();
   about(options.input, Role::input, [&] {
-    result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
+    result.pose = placed(options.placement, shapes, result.triangles, host);
     result.distances = correspondence::distances_between(shapes, host);
     result.modes = correspondence::principal_modes(shapes, host);
     result.from_mean = correspondence::distances_from_mean(shapes, result.modes.mean);
     result.outlier = correspondence::outliers(result.from_mean);
-    result.tests = run_tests(options.tests, result.list, subjects, shapes, session);
+    result.tests = run_tests(options.tests, result.list, subjects, shapes, result.triangles, session);
   });
 }
 
@@ -152,6 +152,12 @@ void add_test_options(CLI::App& verb, StudyTests& tests) {
   verb.add_option("--covariate", tests.covariate,
                   "column of LIST with numbers: test where the shapes change with it (regression of each point)")
       ->type_name("COLUMN");
+  verb.add_option("--test", tests.test,
+                  "what is tested at each point: normal, its position along the normal of the mean, which shows where "
+                  "surfaces differ; position, all coordinates, which shifts along the surface change, too [default: "
+                  "normal]")
+      ->check(unnamed(CLI::IsMember({"normal", "position"})))
+      ->type_name("WHAT");
   verb.add_option("--permutations", tests.permutations,
                   "number of permutations from which p-values are computed [default: 1000]")
       ->check(unnamed(CLI::Range(1, 1'000'000)))
@@ -181,9 +187,10 @@ void add_study(CLI::App& app, CommonOptions& common) {
       ->type_name("HOW");
   verb->add_option(
           "--placement", options->placement,
-          "pose of the subjects before they are compared: turned, translated and rotated to their mean; scaled, to one "
-          "size as well; kept, as in their files [default: turned]")
-      ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
+          "pose of the subjects before they are compared: robust, translated and rotated to where their surfaces vary "
+          "least; turned, by least squares of all points; scaled, to one size as well; kept, as in their files "
+          "[default: robust]")
+      ->check(unnamed(CLI::IsMember({"robust", "turned", "scaled", "kept"})))
       ->type_name("HOW");
   verb->add_option("--label", options->label,
                    "label whose voxels are the object, in images [default: the only one besides 0]")

@@ -122,9 +122,9 @@ def subjects(subjects: PathLike, *, command: Optional[PathLike] = None) -> list[
 
 @public
 def run(subjects: PathLike, output: PathLike, *, client: Any = None, grid: str = "icosphere:5",
-        align: Literal["shape", "rotation", "none"] = "shape", placement: Literal["turned", "scaled", "kept"] = "turned",
+        align: Literal["shape", "rotation", "none"] = "shape", placement: Literal["robust", "turned", "scaled", "kept"] = "robust",
         label: int = 0, modes: int = 5, groups: Optional[str] = None, covariate: Optional[str] = None,
-        permutations: int = 1000, seed: int = 0, processes: int = 0, threads: int = 1, retries: int = 2,
+        test: Literal["normal", "position"] = "normal", permutations: int = 1000, seed: int = 0, processes: int = 0, threads: int = 1, retries: int = 2,
         command: Optional[PathLike] = None, progress: Progress = None) -> Study:
     """
     Brings many subjects onto one grid and computes what they have in common and how they differ. A subject that cannot be mapped is
@@ -136,11 +136,13 @@ def run(subjects: PathLike, output: PathLike, *, client: Any = None, grid: str =
       command, and both folders, by the same paths.
     grid: vertices of every subject, as "icosphere:5", "latlong:ROWSxCOLS" and so on.
     align: rotation of the spheres: to maximum correlation with the first subject for any poses, for equal poses, or none.
-    placement: pose of the subjects before they are compared: moved to their mean, to one size as well, or as in their files.
+    placement: pose of the subjects before they are compared: moved to where their surfaces vary least, to their mean by least squares,
+      to one size as well, or as in their files.
     label: label whose voxels are the object, in images. 0: the only one.
     modes: number of principal modes in the files for viewers, 0 to 100.
     groups: column of the table with two values: test where the groups differ.
     covariate: column of the table with numbers: test where the shapes change with it.
+    test: what is tested at each point: its position along the normal of the mean, or all its coordinates.
     permutations: number of permutations from which p-values are computed, at least 1.
     seed: seed of random choices.
     processes: number of processes without a client. 0: one a core.
@@ -160,8 +162,11 @@ def run(subjects: PathLike, output: PathLike, *, client: Any = None, grid: str =
     integer(permutations, "permutations", 1, 1_000_000)
     if groups is not None or covariate is not None:
         options["permutations"] = permutations
+        options["test"] = test
     elif permutations != 1000:
         raise ValueError(f"permutations={permutations}: they are for groups and covariate, and neither is given")
+    elif test != "normal":
+        raise ValueError(f"test={test!r}: it is for groups and covariate, and neither is given")
     integer(retries, "retries", 0)
     integer(threads, "threads", 1, 4096)
     if client is not None and processes:

@@ -46,22 +46,78 @@ Values standardized(std::span<const double> values, double& scale) {
   return result;
 }
 
+// A point of all subjects, a column each: its coordinates, or one number along a direction.
+template <int Rows>
+using Samples = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
+
 // Returns the slope of the regression on values whose squares have this sum.
-Eigen::Vector3d slope_of(const Eigen::Matrix3Xd& centered, const Values& values, double squares) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+template <int Rows>
+Eigen::Vector<double, Rows> slope_of(const Samples<Rows>& centered, const Values& values, double squares) {
+  Eigen::Vector<double, Rows> sum = Eigen::Vector<double, Rows>::Zero();
   for (std::size_t i = 0; i < values.size(); ++i)
     sum += values[i] * centered.col(static_cast<Eigen::Index>(i));
   return sum / squares;
 }
 
 // Returns T2 for a slope d: the scatter of the residuals is the whole scatter minus squares d d'.
-double hotelling(const Eigen::Matrix3d& scatter, const Eigen::Vector3d& d, double squares, std::size_t subjects) {
-  Eigen::Matrix3d within = scatter - squares * d * d.transpose();
+template <int Rows>
+double hotelling(const Eigen::Matrix<double, Rows, Rows>& scatter, const Eigen::Vector<double, Rows>& d, double squares,
+                 std::size_t subjects) {
+  Eigen::Matrix<double, Rows, Rows> within = scatter - squares * d * d.transpose();
   const double trace = scatter.trace();
   if (!(trace > 0)) return 0;
   within.diagonal().array() += ridge * trace;
   return std::max(0.0, squares * static_cast<double>(subjects - 2) * d.dot(within.ldlt().solve(d)));
 }
+
+// What the tests of all points share.
+struct Regression {
+  const Population& subjects;
+  std::span<const mesh::Vector3> directions;
+  const std::vector<Values>& all_values;  // permuted; the first are as they are
+  double squares = 0;                     // the sum of their squares
+  double range = 1;                       // of the covariate, whose values go over a range of one here
+
+  Eigen::Matrix3Xd positions(std::size_t v) const {
+    return subjects.middleCols(static_cast<Eigen::Index>(3 * v), 3).transpose();
+  }
+
+  template <int Rows>
+  Samples<Rows> samples(std::size_t v) const {
+    if constexpr (Rows == 3)
+      return positions(v);
+    else
+      return directions[v].transpose() * positions(v);
+  }
+
+  template <int Rows>
+  Eigen::Vector3d in_space(std::size_t v, const Eigen::Vector<double, Rows>& d) const {
+    if constexpr (Rows == 3)
+      return d;
+    else
+      return d(0) * directions[v];
+  }
+
+  // Writes what belongs to point v but for its family-wise p-value; max_t2 has the maximum of each permutation so far.
+  template <int Rows>
+  void test_point(std::size_t v, GroupTest& result, std::vector<double>& max_t2) const {
+    Samples<Rows> x = samples<Rows>(v);
+    x.colwise() -= Eigen::Vector<double, Rows>(x.rowwise().mean());
+    const Eigen::Matrix<double, Rows, Rows> scatter = x * x.transpose();
+    std::size_t reached = 0;
+    for (std::size_t k = 0; k < all_values.size(); ++k) {
+      const Eigen::Vector<double, Rows> d = slope_of<Rows>(x, all_values[k], squares);
+      const double t2 = hotelling<Rows>(scatter, d, squares, all_values[k].size());
+      if (k == 0) {
+        result.t2[v] = t2;
+        Eigen::Vector3d::Map(&result.difference[3 * v]) = in_space<Rows>(v, d) / range;
+      }
+      max_t2[k] = std::max(max_t2[k], t2);
+      if (t2 >= tie * result.t2[v]) ++reached;
+    }
+    result.p[v] = static_cast<double>(reached) / static_cast<double>(all_values.size());
+  }
+};
 
 void require_groups(const Population& subjects, std::span<const std::uint8_t> group) {
   const auto ones = static_cast<std::size_t>(std::ranges::count_if(group, [](std::uint8_t g) { return g != 0; }));
@@ -111,6 +167,8 @@ GroupTest compare_groups(const Population& subjects, std::span<const std::uint8_
 GroupTest regress(const Population& subjects, std::span<const double> covariate, const GroupTestOptions& options,
                   const base::Host& host) {
   require_values(subjects, covariate);
+  if (!options.directions.empty() && 3 * options.directions.size() != static_cast<std::size_t>(subjects.cols()))
+    throw base::Error("invalid-argument", "there is not one direction a point");
   double scale = 1;
   const Values values = standardized(covariate, scale);
   double squares = 0;
@@ -125,23 +183,12 @@ GroupTest regress(const Population& subjects, std::span<const double> covariate,
   result.difference.resize(3 * points);
   const std::size_t pieces = (points + piece - 1) / piece;
   std::vector<std::vector<double>> max_of_piece(pieces, std::vector<double>(all_values.size(), 0.0));
+  const Regression regression{subjects, options.directions, all_values, squares, 2 * scale};
   const auto test_point = [&](std::size_t v, std::vector<double>& max_t2) {
-    Eigen::Matrix3Xd x = subjects.middleCols(static_cast<Eigen::Index>(3 * v), 3).transpose();
-    x.colwise() -= Eigen::Vector3d(x.rowwise().mean());
-    const Eigen::Matrix3d scatter = x * x.transpose();
-    std::size_t reached = 0;
-    for (std::size_t k = 0; k < all_values.size(); ++k) {
-      const Eigen::Vector3d d = slope_of(x, all_values[k], squares);
-      const double t2 = hotelling(scatter, d, squares, values.size());
-      if (k == 0) {
-        result.t2[v] = t2;
-        for (std::size_t c = 0; c < 3; ++c)
-          result.difference[3 * v + c] = d(static_cast<Eigen::Index>(c)) / (2 * scale);
-      }
-      max_t2[k] = std::max(max_t2[k], t2);
-      if (t2 >= tie * result.t2[v]) ++reached;
-    }
-    result.p[v] = static_cast<double>(reached) / static_cast<double>(all_values.size());
+    if (options.directions.empty())
+      regression.test_point<3>(v, result, max_t2);
+    else
+      regression.test_point<1>(v, result, max_t2);
   };
   // Blocks of pieces between reports.
   constexpr std::size_t block = 8;

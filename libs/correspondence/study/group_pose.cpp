@@ -59,14 +59,15 @@ void center(Pose pose, Population& shapes, std::vector<Similarity>& moved) {
   }
 }
 
-void rotate(const Eigen::Matrix3d& rotation, Population& shapes, Eigen::Index i, Similarity& moved) {
-  Points x = points_of(shapes, i);
-  x = (rotation * x).eval();
-  moved.rotation = rotation * moved.rotation;
-  moved.shift = rotation * moved.shift;
-}
-
 }  // namespace
+
+void move_shape(Population& shapes, Eigen::Index i, const Eigen::Matrix3d& rotation, const mesh::Vector3& shift,
+                Similarity& moved) {
+  Points x = points_of(shapes, i);
+  x = ((rotation * x).colwise() + shift).eval();
+  moved.rotation = rotation * moved.rotation;
+  moved.shift = rotation * moved.shift + shift;
+}
 
 GroupPose place_group(Pose pose, Population& shapes, const base::Host& host) {
   require_shapes(shapes);
@@ -83,19 +84,15 @@ GroupPose place_group(Pose pose, Population& shapes, const base::Host& host) {
       host.report("aligning the group", 0, 0);
       const Eigen::Matrix3d rotation =
           best_rotation(as_const(points_of(shapes, i)), ConstPoints(mean.data(), 3, points));
-      rotate(rotation, shapes, i, result.moved[static_cast<std::size_t>(i)]);
+      move_shape(shapes, i, rotation, mesh::Vector3::Zero(), result.moved[static_cast<std::size_t>(i)]);
     }
     const Eigen::RowVectorXd next = shapes.colwise().mean();
     result.converged = (next - mean).norm() <= still * next.norm();
     mean = next;
   }
   const Eigen::Matrix3d back = best_rotation(ConstPoints(mean.data(), 3, points), ConstPoints(first.data(), 3, points));
-  for (Eigen::Index i = 0; i < shapes.rows(); ++i) {
-    Similarity& s = result.moved[static_cast<std::size_t>(i)];
-    rotate(back, shapes, i, s);
-    points_of(shapes, i).colwise() += place_of_first;
-    s.shift += place_of_first;
-  }
+  for (Eigen::Index i = 0; i < shapes.rows(); ++i)
+    move_shape(shapes, i, back, place_of_first, result.moved[static_cast<std::size_t>(i)]);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // Generalized Procrustes analysis (Gower 1975): all shapes of a group translated and rotated to their own mean, and
-// scaled to one size if requested. Each point of a shape counts the same.
+// scaled to one size if requested. Each point of a shape counts the same; robust_placement.h weights points.
 #pragma once
 
 #include <vector>
@@ -21,6 +21,10 @@ struct GroupPose {
 // Throws Error "invalid-argument" for no shape or values that are not finite, "degenerate-geometry" for a shape whose
 // points are all in one place, "cancelled".
 GroupPose place_group(Pose pose, Population& shapes, const base::Host& host);
+
+// Moves shape i by x -> rotation * x + shift, and adds that to what it was moved by.
+void move_shape(Population& shapes, Eigen::Index i, const Eigen::Matrix3d& rotation, const mesh::Vector3& shift,
+                Similarity& moved);
 
 // Returns the distance between each two shapes: the root mean square of that between their points.
 Eigen::MatrixXd distances_between(const Population& shapes, const base::Host& host);
