@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/counted.h"
 #include "correspondence/closed_surface.h"
 
 namespace orbicube::cli {
@@ -17,10 +16,8 @@ AnyGenusSurface read_any_genus_surface(const std::string& path, const Mending& m
       throw base::Error("unsupported", "a solid of cells; polycube takes surfaces");
     std::int64_t genus = 0;
     const mesh::OrientReport turned = correspondence::orient_any_genus(m, genus, session.host());
-    if (turned.reversed_triangles > 0)
-      session.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
-                   " reversed to agree with their neighbors");
-    if (turned.inward_oriented) session.note("the surface was inward-oriented; all triangles were reversed");
+    for (const std::string& note : turned.notes())
+      session.note(note);
     figures = {{"format", input.report.format},
                {"vertices", m.positions.size()},
                {"triangles", m.triangles.size()},

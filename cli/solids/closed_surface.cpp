@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/counted.h"
 #include "correspondence/closed_surface.h"
 #include "mesh/topology/cells.h"
 
@@ -20,10 +19,8 @@ ClosedSurface read_closed_surface(const std::string& path, const Mending& mendin
     }
     const mesh::OrientReport turned = correspondence::orient_genus_zero(mesh, session.host());
     if (turned.reversed_triangles == 0 && !turned.inward_oriented) return;
-    if (turned.reversed_triangles > 0)
-      session.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
-                   " reversed to agree with their neighbors");
-    if (turned.inward_oriented) session.note("the surface was inward-oriented; all triangles were reversed");
+    for (const std::string& note : turned.notes())
+      session.note(note);
     figures["reversed_triangles"] = turned.reversed_triangles;
     figures["inward_oriented"] = turned.inward_oriented;
   });

@@ -196,6 +196,23 @@ TEST_CASE("Turned triangles are seen, counted and turned back, whichever they ar
   }
 }
 
+TEST_CASE("What was done to orient a surface is said in sentences, of one triangle in the singular") {
+  Surface s = octahedron();
+  CHECK(orient(s.positions, s.triangles, base::Host()).notes().empty());
+  std::swap(s.triangles[3][0], s.triangles[3][1]);
+  using Notes = std::vector<std::string>;
+  CHECK(orient(s.positions, s.triangles, base::Host()).notes() ==
+        Notes{"1 triangle was reversed to agree with its neighbors"});
+  for (const std::size_t kept : {0, 1}) {
+    s = octahedron();
+    for (std::size_t t = kept; t < s.triangles.size(); ++t)
+      std::swap(s.triangles[t][0], s.triangles[t][1]);
+    const Notes notes = orient(s.positions, s.triangles, base::Host()).notes();
+    CHECK(notes.size() == 1 + kept);
+    CHECK(notes.back() == "the surface was inward-oriented; all triangles were reversed");
+  }
+}
+
 TEST_CASE("A surface with a cavity keeps its inner wall, and is turned as a whole when it is inward-oriented") {
   Surface inner = octahedron();
   for (Triangle& t : inner.triangles)

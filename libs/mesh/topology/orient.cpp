@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/disjoint_sets.h"
@@ -17,6 +18,15 @@ void turn(Triangle& t) {
 }
 
 }  // namespace
+
+std::vector<std::string> OrientReport::notes() const {
+  std::vector<std::string> notes;
+  if (reversed_triangles > 0)
+    notes.push_back(base::counted(reversed_triangles, "triangle was reversed to agree with its neighbors",
+                                  "triangles were reversed to agree with their neighbors"));
+  if (inward_oriented) notes.emplace_back("the surface was inward-oriented; all triangles were reversed");
+  return notes;
+}
 
 std::optional<Array<std::uint8_t>> orientation_signs(std::span<const Triangle> triangles, const EdgeTable& edges,
                                                      const base::Host& host) {

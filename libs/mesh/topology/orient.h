@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/host.h"
 #include "mesh/mesh.h"
@@ -19,6 +21,9 @@ std::optional<Array<std::uint8_t>> orientation_signs(std::span<const Triangle> t
 struct OrientReport {
   std::size_t reversed_triangles = 0;  // to agree with their neighbors
   bool inward_oriented = false;        // then all of them again
+
+  // What was done, in sentences for users; none where nothing was.
+  std::vector<std::string> notes() const;
 };
 
 // Turns triangles so that they agree with their neighbors, the fewer of each part, and then all of them when the

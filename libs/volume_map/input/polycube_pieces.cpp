@@ -159,10 +159,8 @@ SurfacePieces pieces_of_surface(mesh::Mesh& surface, Inside inside, std::size_t 
   constexpr double few = 0.05;
   require_closed_surface(surface.positions, surface.triangles, host);
   const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
-  if (turned.reversed_triangles > 0)
-    findings.note(base::counted(turned.reversed_triangles, "triangle was", "triangles were") +
-                  " reversed to agree with their neighbors");
-  if (turned.inward_oriented) findings.note("the surface was inward-oriented; all triangles were reversed");
+  for (const std::string& note : turned.notes())
+    findings.note(note);
   SurfacePieces pieces = surface_pieces(surface.positions, surface.triangles, host);
   if (max_pieces > 0) require_cells_for_pieces(pieces.count, max_pieces);
   turn_parts(pieces, surface.triangles, findings);
