@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "base/vector_variants.h"
 #include "untangle/foldover.h"
 
 namespace orbicube::untangle {
@@ -14,6 +16,8 @@ constexpr std::size_t piece = 1024;
 // Elements between two reports: some milliseconds of one core.
 constexpr std::size_t slab = 64 * piece;
 constexpr double power = 2.0 / 3;
+
+using base::Four;
 
 Eigen::Matrix3d cofactors(const Eigen::Matrix3d& j) {
   Eigen::Matrix3d c;
@@ -125,11 +129,13 @@ void FoldoverEnergy::linearise(std::span<const double> values, double eps, std::
       const double angle = element.weight / power_of(chi);
       const double volume = element.weight * lambda_ / chi;
       const double squares = j.squaredNorm();
-      curvature.jacobian = j;
-      curvature.cofactors = c;
-      curvature.identity = 2 * angle;
-      curvature.mixed = -2 * power * t * angle;
-      curvature.squared =
+      for (std::size_t k = 0; k < 4; ++k) {
+        Eigen::Map<Vector3>(&curvature.entries[3 * k]).noalias() = j * element.gradient[k];
+        Eigen::Map<Vector3>(&curvature.entries[Curvature::cofactors + 3 * k]).noalias() = c * element.gradient[k];
+      }
+      curvature.entries[Curvature::identity] = 2 * angle;
+      curvature.entries[Curvature::mixed] = -2 * power * t * angle;
+      curvature.entries[Curvature::squared] =
           power * (power + 1) * t * t * squares * angle + 2 * volume * ((1 - d * t) * (1 - d * t) + t * t);
       const Eigen::Matrix3d derivative =
           2 * angle * j + (-power * squares * t * angle + volume * (2 * d - (1 + d * d) * t)) * c;
@@ -161,12 +167,16 @@ void FoldoverEnergy::multiply(std::span<const double> direction, std::span<doubl
       const Element& element = elements_[i];
       const Curvature& h = curvature_[i];
       const Eigen::Matrix3d change = element.jacobian(positions_);
-      const double along_jacobian = h.jacobian.cwiseProduct(change).sum();
-      const double along_cofactors = h.cofactors.cwiseProduct(change).sum();
-      const Eigen::Matrix3d answer = h.identity * change + h.mixed * along_cofactors * h.jacobian +
-                                     (h.mixed * along_jacobian + h.squared * along_cofactors) * h.cofactors;
+      double along_jacobian = 0, along_cofactors = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        along_jacobian += h.of_jacobian(k).dot(positions_[element.corner[k]]);
+        along_cofactors += h.of_cofactors(k).dot(positions_[element.corner[k]]);
+      }
+      const double mixed = h.entries[Curvature::mixed], squared = h.entries[Curvature::squared];
       for (std::size_t k = 0; k < 4; ++k)
-        force_[i][k].noalias() = answer * element.gradient[k];
+        force_[i][k] = h.entries[Curvature::identity] * (change * element.gradient[k]) +
+                       mixed * along_cofactors * h.of_jacobian(k) +
+                       (mixed * along_jacobian + squared * along_cofactors) * h.of_cofactors(k);
     }
   });
   gather(product, [&](std::size_t v) -> Vector3 { return 2 * (pulls_[v].square * positions_[v]); });
@@ -187,6 +197,73 @@ void FoldoverEnergy::gather(std::span<double> sums, const Own& own) {
   variables_.reduce(forces_, sums);
 }
 
+// What the elements around a vertex add to its row of blocks.
+struct FoldoverEnergy::Row {
+  // Blocks left of the diagonal that are worked on at once. Rows of hexahedra have some thirteen.
+  static constexpr std::size_t most = 48;
+
+  std::size_t vertex;
+  std::span<const Index> incident;
+  const Element* elements;
+  const Curvature* curvature;
+  const BlockAssembly* assembly;
+  Index begin, end;                   // of the blocks left of the diagonal
+  Eigen::Matrix3d *diagonal, *lower;  // `lower` of the whole matrix
+};
+
+ORBICUBE_VECTOR_VARIANTS void FoldoverEnergy::add_elements(const Row& row) {
+  // The columns of the blocks, with an entry to spare: those of the diagonal last.
+  std::array<Four, 3 * (Row::most + 1)> columns;
+  constexpr std::array<Four, 3> axes = {Four{1, 0, 0, 0}, Four{0, 1, 0, 0}, Four{0, 0, 1, 0}};
+  const auto add = [&](std::size_t block, double identity, Four p, const double* a, Four q, const double* c)
+      __attribute__((always_inline)) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      Four& column = columns[3 * block + j];
+      column = column + identity * axes[j] + p * a[j] + q * c[j];
+    }
+  };
+  const auto put = [](Eigen::Matrix3d& block, Eigen::Index j, const Four& column) {
+    std::memcpy(&block(0, j), &column, 3 * sizeof(double));
+  };
+  const Index count = row.end - row.begin;
+  for (Index first = 0; first == 0 || first < count; first += Row::most) {
+    const Index some = std::min(count - first, static_cast<Index>(Row::most));
+    std::fill_n(columns.begin(), 3 * some, Four{0, 0, 0, 0});
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const auto own = row.diagonal->col(j);
+      columns[3 * some + static_cast<std::size_t>(j)] = Four{own[0], own[1], own[2], 0};
+    }
+    for (const Index own : row.incident) {
+      const Index at = own / 4;
+      const std::size_t corner = own % 4;
+      const double* const h = row.curvature[at].entries.data();
+      const Element& e = row.elements[at];
+      const Vector3& g = e.gradient[corner];
+      const double* const own_a = h + 3 * corner;
+      const double* const own_c = own_a + Curvature::cofactors;
+      const Four a = base::load(own_a), c = base::load(own_c);
+      // The rows of this corner are identity g' and p a' + q c' over the others.
+      const Four p = h[Curvature::mixed] * c, q = h[Curvature::mixed] * a + h[Curvature::squared] * c;
+      if (first == 0) add(some, h[Curvature::identity] * g.squaredNorm(), p, own_a, q, own_c);
+      for (std::size_t other = 0; other < 4; ++other) {
+        if (e.corner[other] >= row.vertex) continue;
+        const Index place = row.assembly->place(at, corner, other);
+        if (place == no_index) continue;
+        const Index block = place - row.begin - first;
+        if (block >= some) continue;
+        add(block, h[Curvature::identity] * g.dot(e.gradient[other]), p, h + 3 * other, q,
+            h + Curvature::cofactors + 3 * other);
+      }
+    }
+    for (Index i = 0; i < some; ++i) {
+      for (Eigen::Index j = 0; j < 3; ++j)
+        put(row.lower[row.begin + first + i], j, columns[3 * i + static_cast<std::size_t>(j)]);
+    }
+    for (Eigen::Index j = 0; j < 3; ++j)
+      put(*row.diagonal, j, columns[3 * some + static_cast<std::size_t>(j)]);
+  }
+}
+
 // The blocks of all rows.
 void FoldoverEnergy::set_system() {
   BlockMatrix& matrix = assembly_.matrix();
@@ -194,30 +271,9 @@ void FoldoverEnergy::set_system() {
     for (std::size_t v = begin; v < end; ++v) {
       Eigen::Matrix3d& diagonal = matrix.diagonal[v];
       diagonal.setZero();
-      for (Index i = matrix.row_begin[v]; i < matrix.row_begin[v + 1]; ++i)
-        matrix.lower[i].setZero();
       if (!pulls_.empty()) diagonal = 2 * pulls_[v].square;
-      for (const Index own : incident_[v]) {
-        const Index at = own / 4;
-        const std::size_t corner = own % 4;
-        const Curvature& h = curvature_[at];
-        const Element& e = elements_[at];
-        const Vector3& g = e.gradient[corner];
-        const Vector3 a = h.jacobian * g, c = h.cofactors * g;
-        // The rows of this corner are identity g' and p a' + q c' over the others.
-        const Vector3 p = h.mixed * c, q = h.mixed * a + h.squared * c;
-        diagonal.diagonal().array() += h.identity * g.squaredNorm();
-        diagonal.noalias() += p * a.transpose() + q * c.transpose();
-        for (std::size_t other = 0; other < 4; ++other) {
-          if (e.corner[other] >= v) continue;
-          const Index place = assembly_.place(at, corner, other);
-          if (place == no_index) continue;
-          Eigen::Matrix3d& block = matrix.lower[place];
-          const Vector3& f = e.gradient[other];
-          block.diagonal().array() += h.identity * g.dot(f);
-          block.noalias() += p * (h.jacobian * f).transpose() + q * (h.cofactors * f).transpose();
-        }
-      }
+      add_elements({v, incident_[v], elements_.data(), curvature_.data(), &assembly_, matrix.row_begin[v],
+                    matrix.row_begin[v + 1], &diagonal, matrix.lower.data()});
       // By the variables of coordinates, which may have the other sign.
       for (Eigen::Index a = 0; variables_.any_flipped() && a < 3; ++a) {
         if (variables_.is_flipped(v, static_cast<std::size_t>(a))) {

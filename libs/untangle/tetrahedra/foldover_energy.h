@@ -80,9 +80,18 @@ class FoldoverEnergy {
   const BlockAssembly& assembly() const { return assembly_; }
 
  private:
+  // Of an element: J times the gradient of each corner, then cof J times these, then the factors of I, a c' + c a',
+  // c c'. A block of the Hessian is made of those of its two corners.
   struct Curvature {
-    Eigen::Matrix3d jacobian, cofactors;
-    double identity, mixed, squared;  // factors of I, a c' + c a', c c'
+    static constexpr std::size_t cofactors = 12, identity = 24, mixed = 25, squared = 26;
+    std::array<double, 27> entries;
+
+    Eigen::Map<const Vector3> of_jacobian(std::size_t corner) const {
+      return Eigen::Map<const Vector3>(&entries[3 * corner]);
+    }
+    Eigen::Map<const Vector3> of_cofactors(std::size_t corner) const {
+      return Eigen::Map<const Vector3>(&entries[cofactors + 3 * corner]);
+    }
   };
 
   template <class Body>
@@ -92,6 +101,8 @@ class FoldoverEnergy {
   template <class Own>
   void gather(std::span<double> sums, const Own& own);
   void set_system();
+  struct Row;
+  static void add_elements(const Row& row);
 
   std::span<const Element> elements_;
   std::span<const Pull> pulls_;
