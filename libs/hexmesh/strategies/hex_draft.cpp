@@ -22,14 +22,13 @@ namespace {
 // takes half of the time.
 constexpr double out_of_reach = 3;
 
-// In the host's memory, which a plain copy would not be.
+}  // namespace
+
 HexMesh copy_of(const HexMesh& mesh, const base::Host& host) {
   HexMesh result(host.memory);
   result = mesh;
   return result;
 }
-
-}  // namespace
 
 TargetSurface::TargetSurface(const PolycubeSurface& solid)
     : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
@@ -69,6 +68,19 @@ std::string what_is_wrong(const HexQuality& q) {
            std::to_string(q.misplaced_parts) + ", the first at " + mesh::place_text(q.first_intersection);
   return base::counted(q.inverted, "hexahedron has", "hexahedra have") + " a corner that is not positive, " +
          std::to_string(q.uncertain) + " more are not certainly positive; the first is " + std::to_string(q.first_bad);
+}
+
+void log_made(const HexResult& made, const HexManner& manner, const base::Host& host) {
+  std::string how = made.grid_based ? "grid in space" : "polycube";
+  if (!made.grid_based && made.follows_sharp_edges) how += " with sharp edges";
+  if (!made.grid_based) how += made.padded ? ", padded" : ", not padded";
+  if (manner.hold) how += ", fixed";
+  if (manner.insist) how += ", worst corners first";
+  std::string outcome = what_is_wrong(made.quality);
+  if (made.quality.valid())
+    outcome = "scaled Jacobians at least " + std::to_string(made.quality.min_scaled_jacobian) + ", " +
+              std::to_string(made.distance) + " % away";
+  host.log(std::to_string(made.mesh.hexahedra.size()) + " hexahedra, " + how + ": " + outcome);
 }
 
 HexDraft::HexDraft(HexMesh mesh, std::size_t padding, double scale, const PolycubeSurface& surface,

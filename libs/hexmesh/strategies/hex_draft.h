@@ -44,6 +44,9 @@ struct TargetSurface {
 
 constexpr int max_rounds = 1000;  // of smoothing
 
+// In the host's memory, which a plain copy would not be.
+HexMesh copy_of(const HexMesh& mesh, const base::Host& host);
+
 // What is made of a grid.
 struct HexTarget {
   // In percent: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
@@ -90,6 +93,9 @@ struct HexManner {
   bool apart = false;        // no vertex goes to the other wall of a gap (hex_boundary.h)
   double held_fraction = 1;  // of the distance that is allowed: where the boundary is fixed the nearer to the surface
 };
+
+// Writes to the log how a mesh was made and what it is like.
+void log_made(const HexResult& made, const HexManner& manner, const base::Host& host);
 
 class HexDraft {
  public:

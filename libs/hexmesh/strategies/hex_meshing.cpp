@@ -25,7 +25,8 @@ class Mesher {
         target_(solid),
         whole_(host.memory),
         guides_(host.memory),
-        strategies_(host.memory) {}
+        strategies_(host.memory),
+        tried_(host.memory) {}
 
   HexResult best() {
     if (options_.method == HexMethod::polycube)
@@ -43,10 +44,8 @@ class Mesher {
   bool near() const { return best_ && excess(*best_, options_.distance) <= 1; }
   double excess_of_best() const { return best_ ? excess(*best_, options_.distance) : 0; }
   // Hardly valid.
-  bool poor() const {
-    constexpr double least = 0.3;
-    return best_->quality.min_scaled_jacobian <= least;
-  }
+  static constexpr double least_of_good = 0.3;
+  bool poor() const { return best_->quality.min_scaled_jacobian <= least_of_good; }
 
   bool refine(Refinement& refinement) const { return !spent_ && refinement.next(excess_, excess_of_best()); }
 
@@ -115,9 +114,16 @@ class Mesher {
     do {
       const std::size_t cells = refinement.cells();
       const base::Stage stage(host_, half_of_the_rest);
-      const bool first = cells == options_.cells;
+      const bool first = cells == options_.cells, grid_first = !first && grid_promises_more(by_grid, cells);
+      if (grid_first) {
+        excess_ = 0;
+        make_by_voxels(cells);
+        by_grid = excess_;
+        if (near() && !poor()) return;
+      }
       if (first || across_ > 1 || no_grid_ || worth_refining(by_polycube, by_grid, cells)) {
         excess_ = 0;
+        grid_follows_ = first;
         make(cells);
         if (too_few_across()) make(cells);
         if (by_polycube > 0 && excess_ > std::pow(by_polycube / excess_, patience)) {
@@ -128,16 +134,33 @@ class Mesher {
       }
       if (near() && !poor()) return;
       const bool grid_may_be_near = may_be_near({last_grid_.first, by_grid}, cells);
-      if (first || by_polycube == 0 || (near() ? grid_may_be_near : by_polycube > clearly * by_grid)) {
+      if (!grid_first && (first || by_polycube == 0 || (near() ? grid_may_be_near : by_polycube > clearly * by_grid))) {
         excess_ = 0;
         make_by_voxels(cells);
         by_grid = excess_;
         if (no_grid_ && too_few_across()) make(cells);
       }
+      if (std::exchange(grid_follows_, false)) by_polycube = make_what_was_left(cells, by_polycube);
       if (near() && (!first || !poor())) return;
       excess_ = by_polycube == 0 || by_grid == 0 ? by_polycube + by_grid : std::min(by_polycube, by_grid);
     } while (options_.distance > 0 && refine(refinement));
     if (late && !best_) fill_polycube();
+  }
+
+  // Meshes of the polycube that a grid, which promised more, did not make needless, nor will more cells. Returns their
+  // excess().
+  double make_what_was_left(std::size_t cells, double by_polycube) {
+    const bool more_cells = !no_grid_ && 2 * cells <= options_.max_cells;
+    if (strategies_.empty() || (near() && (!poor() || more_cells))) return by_polycube;
+    excess_ = by_polycube;
+    make_each(cells);
+    return excess_;
+  }
+
+  // With more cells: those of a grid, by its last mesh, before those of a polycube that are worse.
+  bool grid_promises_more(double by_grid, std::size_t cells) const {
+    if (by_grid == 0 || no_grid_ || !near() || best_->grid_based) return false;
+    return grid_least_ > best_->quality.min_scaled_jacobian && may_be_near({last_grid_.first, by_grid}, cells);
   }
 
   // More cells of the polycube, where there are others of a grid: by its meshes and those of grids so far.
@@ -181,16 +204,16 @@ class Mesher {
     return (min_near_ > 0 ? min_near_ : least_) > (cells > options_.cells ? good_of_many : good);
   }
 
-  // With the weights of the worst corners raised, a scaled Jacobian is rarely larger by more than a half.
-  bool is_beaten() const {
+  // Whether a mesh of this scaled Jacobian, fixed or with the weights of its worst corners raised, may be of use: that
+  // is rarely larger by more than a half then. A grid that follows is hardly ever poor.
+  bool may_help(double scaled_jacobian) const {
     constexpr double most_gained = 1.5;
-    return most_gained * least_ < options_.to_beat;
+    double beaten = options_.to_beat;
+    if (near()) beaten = std::max(beaten, best_->quality.min_scaled_jacobian);
+    if (grid_follows_) beaten = std::max(beaten, least_of_good);
+    return most_gained * scaled_jacobian >= beaten;
   }
 
-  // Whether a mesh is valid and as near to the surface as requested, and so much so that there is no need for another.
-  struct Nearness {
-    bool near = false, by_itself = false;
-  };
   Nearness attempt(const Strategy& strategy, std::size_t cells, const HexManner& manner) {
     if (spent_) return {};
     const base::Stage stage(host_, third_of_the_rest);
@@ -200,7 +223,7 @@ class Mesher {
       HexResult now = finish_apart(
           [&] {
             drafted_ += grid.mesh.hexahedra.size();
-            return HexDraft(copy_of(grid.mesh), grid.padding, grid.scale, strategy.guide->surface, target_,
+            return HexDraft(copy_of(grid.mesh, host_), grid.padding, grid.scale, strategy.guide->surface, target_,
                             {.distance = options_.distance, .rounds = options_.rounds}, host_);
           },
           manner);
@@ -212,29 +235,16 @@ class Mesher {
     }
   }
 
-  void log(const HexResult& made, const Strategy* strategy, const HexManner& manner) const {
-    std::string how = strategy == nullptr ? "grid in space" : "polycube";
-    if (strategy != nullptr && strategy->guide->sharp) how += " with sharp edges";
-    if (strategy != nullptr) how += made.padded ? ", padded" : ", not padded";
-    if (manner.hold) how += ", fixed";
-    if (manner.insist) how += ", worst corners first";
-    std::string outcome = what_is_wrong(made.quality);
-    if (made.quality.valid())
-      outcome = "scaled Jacobians at least " + std::to_string(made.quality.min_scaled_jacobian) + ", " +
-                std::to_string(made.distance) + " % away";
-    host_.log(std::to_string(made.mesh.hexahedra.size()) + " hexahedra, " + how + ": " + outcome);
-  }
-
   // Keeps what is better than what there is.
   Nearness take(HexResult&& now, const Strategy* strategy, const HexManner& manner) {
-    log(now, strategy, manner);
+    log_made(now, manner, host_);
     if (!now.quality.valid()) {
       reason_ = what_is_wrong(now.quality);
       if (now.quality.positive()) meets_ = reason_;
       return {};
     }
     least_ = std::max(least_, now.quality.min_scaled_jacobian);
-    const double excess_of_now = excess(now, options_.distance);
+    const double excess_of_now = excess(now, options_.distance), scaled_jacobian = now.quality.min_scaled_jacobian;
     excess_ = excess_ == 0 ? excess_of_now : std::min(excess_, excess_of_now);
     const bool near = excess_of_now <= 1, by_itself = near && !now.hardly_near;
     if (near) min_near_ = std::max(min_near_, now.quality.min_scaled_jacobian);
@@ -245,13 +255,7 @@ class Mesher {
         best_padding_ = strategy->padding;
       }
     }
-    return {near, by_itself};
-  }
-
-  HexMesh copy_of(const HexMesh& mesh) const {
-    HexMesh result(host_.memory);
-    result = mesh;
-    return result;
+    return {near, by_itself, scaled_jacobian};
   }
 
   // Whether there is one that is near.
@@ -276,13 +280,15 @@ class Mesher {
         HexResult now = finish_apart(
             [&] {
               drafted_ += made.first;
-              return HexDraft(copy_of(grid.mesh), grid.padding, grid.scale, {whole_}, target_,
+              return HexDraft(copy_of(grid.mesh, host_), grid.padding, grid.scale, {whole_}, target_,
                               {.distance = options_.distance, .rounds = options_.rounds}, host_);
             },
             {.hold = hold});
         now.grid_based = true;
         if (!hold && now.quality.valid()) free_ = {made.first, excess(now, options_.distance)};
-        if (take(std::move(now), nullptr, {.hold = hold}).near) return true;
+        const Nearness taken = take(std::move(now), nullptr, {.hold = hold});
+        grid_least_ = taken.scaled_jacobian;
+        if (taken.near) return true;
       }
     } catch (const base::Error& error) {
       tolerate(error);
@@ -311,24 +317,39 @@ class Mesher {
   void make(std::size_t cells) {
     least_ = min_near_ = 0;
     find_ways(cells);
-    if (strategies_.empty()) return;
-    // More cells are there for what is far: fixed at once.
-    const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
-    for (const Strategy& strategy : strategies_) {
+    tried_.assign(strategies_.size(), Tried());
+    if (!strategies_.empty()) make_each(cells);
+  }
+
+  // Those of use that were not made yet.
+  void make_each(std::size_t cells) {
+    for (std::size_t i = 0; i < strategies_.size(); ++i) {
       if (done(cells)) return;
-      HexManner manner;
-      Nearness now;
-      if (free_first) now = attempt(strategy, cells, manner);
-      bool near = now.near;
-      if (!now.by_itself && distance_counts) near |= attempt(strategy, cells, manner = {.hold = true}).near;
-      manner.insist = true;
-      if (near && !done(cells) && !half_spent() && !is_beaten()) attempt(strategy, cells, manner);
+      follow(strategies_[i], cells, tried_[i]);
       if (options_.to_beat > 0) return;
     }
     // Vertices on the surface itself are less accurate and leave more room.
-    for (const Strategy& strategy : strategies_) {
-      if (least_ == 0) attempt(strategy, cells, {.lift = false, .hold = distance_counts});
+    for (std::size_t i = 0; i < strategies_.size(); ++i) {
+      if (least_ > 0 || std::exchange(tried_[i].unraised, true)) continue;
+      attempt(strategies_[i], cells, {.lift = false, .hold = options_.distance > 0});
     }
+  }
+
+  void follow(const Strategy& strategy, std::size_t cells, Tried& tried) {
+    const auto make_one = [&](bool& which, const HexManner& manner) {
+      which = true;
+      const Nearness now = attempt(strategy, cells, manner);
+      tried.near |= now.near;
+      if (now.scaled_jacobian > 0) tried.last = now;
+    };
+    // More cells are there for what is far: fixed at once.
+    if (cells == options_.cells && !tried.free) make_one(tried.free, {});
+    const bool unknown = tried.last.scaled_jacobian == 0;
+    if (!tried.fixed && !tried.last.by_itself && options_.distance > 0 &&
+        (unknown || may_help(tried.last.scaled_jacobian)))
+      make_one(tried.fixed, {.hold = true});
+    if (tried.near && !tried.insisted && !done(cells) && !half_spent() && may_help(tried.last.scaled_jacobian))
+      make_one(tried.insisted, {.hold = tried.fixed, .insist = true});
   }
 
   const PolycubeSurface& solid_;
@@ -340,12 +361,15 @@ class Mesher {
   std::optional<polycube::SurfaceMap> plain_, sharp_;
   Array<Guide> guides_;
   Array<Strategy> strategies_;
+  Array<Tried> tried_;  // of each strategy
   std::optional<HexResult> best_;
   // Of the last grid whose boundary was free: its hexahedra and excess().
   std::pair<std::size_t, double> free_ = {0, 0};
   const Guide* best_guide_ = nullptr;  // of the polycube's, the best when it was made
   int best_padding_ = 0;
   bool no_grid_ = false;                               // of cells in space, the last time
+  bool grid_follows_ = false;                          // after the meshes of the polycube, unless they are good
+  double grid_least_ = 0;                              // the scaled Jacobian of its last mesh
   std::pair<std::size_t, double> last_grid_ = {0, 0};  // its hexahedra and its scale
   int across_ = 1;                                     // minimum number of cells across a passage
   std::string reason_, meets_;  // why there is none: the last, and of what had positive hexahedra

@@ -36,6 +36,19 @@ struct Strategy {
   bool same(const Guide* other, int other_padding) const { return guide == other && padding == other_padding; }
 };
 
+// Whether a mesh is valid and as near to the surface as requested, and so much so that there is no need for another.
+struct Nearness {
+  bool near = false, by_itself = false;
+  double scaled_jacobian = 0;  // of a valid one
+};
+
+// The meshes that were made of a strategy with one number of cells.
+struct Tried {
+  bool free = false, fixed = false, insisted = false, unraised = false;
+  bool near = false;  // any
+  Nearness last;      // of the last valid one
+};
+
 // Adds what may be padded, the most promising first. `across`: minimum number of cells across a passage.
 void add_strategies(Array<Strategy>& strategies, const Guide& guide, const HexOptions& options, std::size_t cells,
                     int across, const base::Host& host);
