@@ -5,7 +5,7 @@
 //
 // Usage: bench-trust-region [--lowest | --lowest-bounded | --lowest-magnitudes | --lowest-largest |
 // --find-lowest-suite | plain | radius | transformed | bounded | signed | nonsmooth | noise | suite | suite-noise |
-// large | cost]...
+// large | domain | cost]...
 // With ORBICUBE_BENCH_UNSOLVED in the environment, lists the cases that are not solved to the second tolerance; with
 // ORBICUBE_BENCH_ONLY, the tables have the solver of that name only.
 #include <orbicube/trust_region.h>
@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "domain.h"
 #include "lowest.h"
 #include "lowest_suite.h"
 #include "peers.h"
@@ -437,6 +438,7 @@ int main(int count, char** arguments) {
   if (wants("suite")) suite();
   if (wants("suite-noise")) suite_noise();
   if (wants("large")) large();
+  if (wants("domain")) print_hidden_domain();
   if (wants("cost")) cost();
   return 0;
 }
