@@ -26,11 +26,12 @@ base::Array<float> coordinates_of(const SplitMap& split, const polycube::Atlas& 
 Json write_atlas_scene(const AtlasRequest& request, const polycube::SurfaceMap& map, const polycube::PatchGraph& graph,
                        const std::string& name, const base::Host& host) {
   const polycube::Atlas atlas = polycube::make_atlas(graph, request.options, host);
-  const polycube::AtlasTexels texels = polycube::covered_texels(atlas, graph, map, host);
+  const base::Array<polycube::TexelCorners> corners = polycube::texel_corners(atlas, graph, map, host);
+  const polycube::AtlasTexels texels = polycube::covered_texels(atlas.options.size, corners, host);
   const SplitMap split(map, host.memory);
   const PolycubeFrame frame(split, host);
   const double square = (frame.high - frame.low).maxCoeff() / squares_along_polycube;
-  const AtlasOfMap baked{map, graph, atlas, texels};
+  const AtlasOfMap baked{map, corners, texels};
   const base::Array<std::byte> texture = request.colors.empty() ? checker_of_atlas(baked, frame.low, square, host)
                                                                 : colors_of_input(baked, request.colors, host);
   const base::Array<float> base = gltf::stored_positions(split.positions, frame.surface, host.memory);

@@ -128,7 +128,7 @@ mesh::Vector3 blend_of(const polycube::SurfaceMap& map, std::span<const mesh::Ve
 }
 
 mesh::Vector3 weights_of(const AtlasOfMap& of, mesh::Index texel) {
-  return polycube::weights_at(of.atlas, of.graph, of.map, of.texels, texel);
+  return polycube::weights_at(of.corners, of.texels, texel);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ mesh::Vector3 weights_of(const AtlasOfMap& of, mesh::Index texel) {
 base::Array<std::byte> checker_of_atlas(const AtlasOfMap& of, const mesh::Vector3& low, double square,
                                         const base::Host& host) {
   constexpr std::array<std::uint8_t, 6> palette = {235, 235, 235, 70, 110, 160};  // sRGB
-  const std::uint32_t size = of.atlas.options.size;
+  const std::uint32_t size = of.texels.size;
   const auto is_second = [&](mesh::Index texel) {
     const mesh::Index triangle = of.texels.triangles[texel];
     const mesh::Vector3 at = (blend_of(of.map, of.map.polycube, triangle, weights_of(of, texel)) - low) / square;
@@ -174,7 +174,7 @@ void require_colored(const std::filesystem::path& input) {
 base::Array<std::byte> colors_of_input(const AtlasOfMap& of, const std::filesystem::path& input,
                                        const base::Host& host) {
   const ColoredSurface surface(input, host);
-  const std::uint32_t size = of.atlas.options.size;
+  const std::uint32_t size = of.texels.size;
   base::Array<std::uint8_t> rgb(std::size_t{3} * size * size, std::uint8_t{255}, host.memory);
   mesh::Index hint = mesh::no_index;
   for (mesh::Index texel = 0; texel < of.texels.triangles.size(); ++texel) {

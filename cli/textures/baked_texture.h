@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "polycube/outputs/atlas_texels.h"
 #include "session/session.h"
@@ -11,8 +12,7 @@ namespace orbicube::cli {
 // What is textured.
 struct AtlasOfMap {
   const polycube::SurfaceMap& map;
-  const polycube::PatchGraph& graph;
-  const polycube::Atlas& atlas;
+  std::span<const polycube::TexelCorners> corners;
   const polycube::AtlasTexels& texels;
 };
 

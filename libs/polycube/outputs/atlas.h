@@ -2,8 +2,9 @@
 //
 // All patches have one scale, so that texels have one size on the polycube. Patches are placed in order of length, as
 // by Levy, Petitjean, Ray and Maillot (2002), but by masks, so that patches fill notches and holes of others: each
-// patch takes the cells of a coarse grid that it and its margin touch, at the first place from the top where they are
-// free, upright or turned by a quarter. Bisection finds the largest scale at which all fit.
+// patch takes the cells of a grid that it and its margin touch, in the one of its four directions and at the place
+// where it ends nearest to the top. Bisection finds the largest scale at which all fit; where a patch does not, a few
+// orders with that patch earlier are tried.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ struct AtlasPlace {
   double u_low = 0, v_low = 0, u_high = 0,
          v_high = 0;         // of the patch, in its plane seen from outside: u to the right, v up
   double left = 0, top = 0;  // texels
-  bool turned = false;       // by a quarter, counter-clockwise
+  int quarter_turns = 0;     // 0 to 3, counter-clockwise
 };
 
 struct Atlas {
