@@ -1,9 +1,12 @@
-// The C functions for what is made of a map: the polycube as a graph, and meshes of quads.
+// The C functions for what is made of a map: the polycube as a graph, meshes of quads, and texture atlases.
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include "capi/src/polycube_handle.h"
+#include "polycube/outputs/atlas_texels.h"
 #include "polycube/outputs/patch_graph.h"
 #include "polycube/outputs/quad_mesh.h"
 
@@ -22,6 +25,14 @@ struct obc_polycube_quads {
   polycube::QuadMesh mesh;
 };
 
+struct obc_polycube_atlas {
+  explicit obc_polycube_atlas(const obc_host* host) : adapter(host), corners(adapter.host().memory) {}
+  capi::HostAdapter adapter;
+  std::uint32_t size = 0;
+  double texels_per_unit = 0, coverage = 0;
+  polycube::Array<polycube::TexelCorners> corners;
+};
+
 namespace {
 
 obc_polycube_quads_options default_quads_options() {
@@ -30,6 +41,15 @@ obc_polycube_quads_options default_quads_options() {
   o.struct_size = sizeof o;
   o.quads = defaults.quads;
   o.edge_length = defaults.edge_length;
+  return o;
+}
+
+obc_polycube_atlas_options default_atlas_options() {
+  const polycube::AtlasOptions defaults;
+  obc_polycube_atlas_options o{};
+  o.struct_size = sizeof o;
+  o.size = defaults.size;
+  o.padding = defaults.padding;
   return o;
 }
 
@@ -175,5 +195,75 @@ obc_status obc_polycube_quads_copy_sources(const obc_polycube_quads* quads, uint
     capi::require(quads != nullptr, "quads is NULL");
     copy(quads->mesh.triangles, triangles);
     copy(quads->mesh.weights, weights);
+  });
+}
+
+obc_status obc_polycube_atlas_options_init(obc_polycube_atlas_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_atlas_options());
+}
+
+obc_status obc_polycube_atlas_create(const obc_polycube* map, const obc_polycube_atlas_options* options,
+                                     const obc_host* host, obc_polycube_atlas** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    capi::require(map != nullptr, "map is NULL");
+    const obc_polycube_atlas_options o = capi::copy_versioned(options, default_atlas_options());
+    auto made = std::make_unique<obc_polycube_atlas>(host);
+    const base::Host& on = made->adapter.host();
+    const polycube::PatchGraph graph = polycube::make_patch_graph(map->map, on);
+    const polycube::Atlas atlas = polycube::make_atlas(graph, {.size = o.size, .padding = o.padding}, on);
+    made->size = o.size;
+    made->texels_per_unit = atlas.scale;
+    made->coverage = atlas.coverage;
+    made->corners = polycube::texel_corners(atlas, graph, map->map, on);
+    *out = made.release();
+  });
+}
+
+void obc_polycube_atlas_destroy(obc_polycube_atlas* atlas) {
+  delete atlas;
+}
+
+uint32_t obc_polycube_atlas_size(const obc_polycube_atlas* atlas) {
+  return atlas != nullptr ? atlas->size : 0;
+}
+
+size_t obc_polycube_atlas_triangle_count(const obc_polycube_atlas* atlas) {
+  return atlas != nullptr ? atlas->corners.size() : 0;
+}
+
+obc_status obc_polycube_atlas_copy(const obc_polycube_atlas* atlas, double* coordinates, double* texels_per_unit,
+                                   double* coverage, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(atlas != nullptr, "atlas is NULL");
+    if (texels_per_unit != nullptr) *texels_per_unit = atlas->texels_per_unit;
+    if (coverage != nullptr) *coverage = atlas->coverage;
+    if (coordinates == nullptr) return;
+    for (const polycube::TexelCorners& triangle : atlas->corners)
+      for (const auto& corner : triangle)
+        for (const double texels : corner)
+          *coordinates++ = texels / atlas->size;
+  });
+}
+
+obc_status obc_polycube_atlas_sample(const obc_polycube_atlas* atlas, const obc_host* host, uint32_t* triangles,
+                                     double* weights, uint8_t* covered, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(atlas != nullptr, "atlas is NULL");
+    const capi::HostAdapter adapter(host);
+    const base::Host& on = adapter.host();
+    const polycube::AtlasTexels texels = polycube::covered_texels(atlas->size, atlas->corners, on);
+    for (std::size_t i = 0; i < texels.shown.size(); ++i) {
+      if (i % base::items_between_reports == 0) on.report("samples", i, texels.shown.size());
+      const polycube::Index shown = texels.shown[i];
+      const bool shows = shown != mesh::no_index;
+      if (triangles != nullptr) triangles[i] = shows ? texels.triangles[shown] : mesh::no_index;
+      if (covered != nullptr) covered[i] = shown == i ? 1 : 0;
+      if (weights == nullptr) continue;
+      mesh::Vector3 at(0, 0, 0);
+      if (shows) at = polycube::weights_at(atlas->corners, texels, shown);
+      std::copy_n(at.data(), 3, weights + 3 * i);
+    }
   });
 }

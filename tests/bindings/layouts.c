@@ -442,6 +442,10 @@ _Static_assert(sizeof(obc_polycube_quads_options) == 24, "obc_polycube_quads_opt
 _Static_assert(offsetof(obc_polycube_quads_options, struct_size) == 0, "obc_polycube_quads_options.struct_size");
 _Static_assert(offsetof(obc_polycube_quads_options, quads) == 8, "obc_polycube_quads_options.quads");
 _Static_assert(offsetof(obc_polycube_quads_options, edge_length) == 16, "obc_polycube_quads_options.edge_length");
+_Static_assert(sizeof(obc_polycube_atlas_options) == 16, "obc_polycube_atlas_options");
+_Static_assert(offsetof(obc_polycube_atlas_options, struct_size) == 0, "obc_polycube_atlas_options.struct_size");
+_Static_assert(offsetof(obc_polycube_atlas_options, size) == 4, "obc_polycube_atlas_options.size");
+_Static_assert(offsetof(obc_polycube_atlas_options, padding) == 8, "obc_polycube_atlas_options.padding");
 _Static_assert(sizeof(obc_projected_gradient_problem) == 88, "obc_projected_gradient_problem");
 _Static_assert(offsetof(obc_projected_gradient_problem, struct_size) == 0, "obc_projected_gradient_problem.struct_size");
 _Static_assert(offsetof(obc_projected_gradient_problem, n) == 8, "obc_projected_gradient_problem.n");
@@ -1188,6 +1192,10 @@ _Static_assert(sizeof(obc_polycube_quads_options) == 16, "obc_polycube_quads_opt
 _Static_assert(offsetof(obc_polycube_quads_options, struct_size) == 0, "obc_polycube_quads_options.struct_size");
 _Static_assert(offsetof(obc_polycube_quads_options, quads) == 4, "obc_polycube_quads_options.quads");
 _Static_assert(offsetof(obc_polycube_quads_options, edge_length) == 8, "obc_polycube_quads_options.edge_length");
+_Static_assert(sizeof(obc_polycube_atlas_options) == 16, "obc_polycube_atlas_options");
+_Static_assert(offsetof(obc_polycube_atlas_options, struct_size) == 0, "obc_polycube_atlas_options.struct_size");
+_Static_assert(offsetof(obc_polycube_atlas_options, size) == 4, "obc_polycube_atlas_options.size");
+_Static_assert(offsetof(obc_polycube_atlas_options, padding) == 8, "obc_polycube_atlas_options.padding");
 _Static_assert(sizeof(obc_projected_gradient_problem) == 44, "obc_projected_gradient_problem");
 _Static_assert(offsetof(obc_projected_gradient_problem, struct_size) == 0, "obc_projected_gradient_problem.struct_size");
 _Static_assert(offsetof(obc_projected_gradient_problem, n) == 4, "obc_projected_gradient_problem.n");

@@ -4,6 +4,8 @@
 #ifndef ORBICUBE_POLYCUBE_HPP
 #define ORBICUBE_POLYCUBE_HPP
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <orbicube/polycube.h>
@@ -19,6 +21,7 @@ class Polycube {
   using DomainOptions = detail::Filled<obc_polycube_domain_options, obc_polycube_domain_options_init>;
   using CornerOptions = detail::Filled<obc_polycube_corner_options, obc_polycube_corner_options_init>;
   using FeatureOptions = detail::Filled<obc_polycube_feature_options, obc_polycube_feature_options_init>;
+  using AtlasOptions = detail::Filled<obc_polycube_atlas_options, obc_polycube_atlas_options_init>;
   using QuadsOptions = detail::Filled<obc_polycube_quads_options, obc_polycube_quads_options_init>;
 
   explicit Polycube(obc_polycube* owned) noexcept : handle_(owned) {}
@@ -181,6 +184,64 @@ class Polycube {
       return obc_polycube_quads_copy_sources(made_quads, out.triangles.data(), out.weights.data(), error);
     });
     return out;
+  }
+
+  // The patches packed into a square; does not need the map any more.
+  class Atlas {
+   public:
+    // Texels along each side, and triangles of the map.
+    std::uint32_t size() const noexcept { return obc_polycube_atlas_size(handle()); }
+    std::size_t triangle_count() const noexcept { return obc_polycube_atlas_triangle_count(handle()); }
+    // u and v of the three corners of each triangle, 0 to 1, from the top left.
+    std::vector<double> coordinates() const {
+      std::vector<double> out(6 * triangle_count());
+      copy(out.data(), nullptr, nullptr);
+      return out;
+    }
+    double texels_per_unit() const {  // of the polycube
+      double out = 0;
+      copy(nullptr, &out, nullptr);
+      return out;
+    }
+    double coverage() const {  // fraction of the square in patches
+      double out = 0;
+      copy(nullptr, nullptr, &out);
+      return out;
+    }
+    // What each texel shows, row by row from the top: a triangle of the map (UINT32_MAX: none), the weights of its
+    // three corners, and whether it has the middle of the texel; others show the nearest texel in a patch.
+    struct Texels {
+      std::vector<std::uint32_t> triangles;
+      std::vector<double> weights;
+      std::vector<std::uint8_t> covered;
+    };
+    Texels sample(Host* host = nullptr) const {
+      const std::size_t n = std::size_t{size()} * size();
+      Texels out{std::vector<std::uint32_t>(n), std::vector<double>(3 * n), std::vector<std::uint8_t>(n)};
+      detail::call(host, [&](obc_error* error) {
+        return obc_polycube_atlas_sample(handle(), detail::c(host), out.triangles.data(), out.weights.data(),
+                                         out.covered.data(), error);
+      });
+      return out;
+    }
+    const obc_polycube_atlas* handle() const noexcept { return handle_.get(); }
+
+   private:
+    friend class Polycube;
+    using Owner = detail::Handle<obc_polycube_atlas, obc_polycube_atlas_destroy>;
+    explicit Atlas(Owner owner) noexcept : handle_(std::move(owner)) {}
+    void copy(double* coordinates, double* texels_per_unit, double* coverage) const {
+      detail::call(nullptr, [&](obc_error* error) {
+        return obc_polycube_atlas_copy(handle(), coordinates, texels_per_unit, coverage, error);
+      });
+    }
+    Owner handle_;
+  };
+  Atlas atlas(const AtlasOptions& options = {}, Host* host = nullptr) const {
+    return Atlas(detail::take<obc_polycube_atlas, obc_polycube_atlas_destroy>(
+        host, [&](obc_polycube_atlas** out, obc_error* error) {
+          return obc_polycube_atlas_create(handle(), &options, detail::c(host), out, error);
+        }));
   }
 
   obc_polycube* handle() const noexcept { return handle_.get(); }

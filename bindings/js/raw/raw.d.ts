@@ -205,6 +205,7 @@ export const layouts: {
   readonly obc_polycube_feature_report: Layout;
   readonly obc_polycube_constraints: Layout;
   readonly obc_polycube_quads_options: Layout;
+  readonly obc_polycube_atlas_options: Layout;
   readonly obc_projected_gradient_problem: Layout;
   readonly obc_projected_gradient_options: Layout;
   readonly obc_projected_gradient_result: Layout;
@@ -719,6 +720,28 @@ export interface RawFunctions {
   /** Copies for each vertex the triangle of the map that contains it and its barycentric weights, nonnegative with sum 1. Errors:
    * invalid argument. */
   obc_polycube_quads_copy_sources(quads: Pointer, triangles: Pointer, weights: Pointer, error: Pointer): number;
+  /** Fills options with the defaults. */
+  obc_polycube_atlas_options_init(options: Pointer, struct_size: number): number;
+  /** Packs the patches of a map, which may be destroyed afterwards, at the largest scale that is found. The layout depends on the polycube
+   * alone. Errors: invalid argument; unsupported (the square is too small for all patches with their padding); out of memory; cancelled. */
+  obc_polycube_atlas_create(map: Pointer, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
+  /** Destroys an atlas; NULL is allowed. */
+  obc_polycube_atlas_destroy(atlas: Pointer): void;
+  /** Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL. */
+  obc_polycube_atlas_size(atlas: Pointer): number;
+  /** Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL. */
+  obc_polycube_atlas_triangle_count(atlas: Pointer): number;
+  /** Copies an atlas, each output may be NULL: texture coordinates of the corners of each triangle (u v of each of the three corners; 0 to
+   * 1, u from the left and v from the top, as in glTF), the number of texels along a unit of the polycube, and the fraction of the square
+   * that the patches cover (0 to 1). A vertex on an edge of the polycube has other coordinates in each of its patches. Errors: invalid
+   * argument. */
+  obc_polycube_atlas_copy(atlas: Pointer, coordinates: Pointer, texels_per_unit: Pointer, coverage: Pointer, error: Pointer): number;
+  /** Samples an atlas: what each of its size * size texels shows, row by row from the top, so that any data of vertices becomes a texture.
+   * Each array may be NULL: the triangle of the map, the barycentric weights of its three corners (nonnegative, sum 1), and whether the
+   * middle of the texel is in that triangle (1). Beside the patches (0) texels show the point of the nearest texel in a patch, so that
+   * filters and smaller copies of a texture mix nothing else into its patches; where no patch has the middle of any texel, all have triangle
+   * UINT32_MAX and weights 0. O(texels + triangles). Errors: invalid argument, out of memory, cancelled. */
+  obc_polycube_atlas_sample(atlas: Pointer, host: Pointer, triangles: Pointer, weights: Pointer, covered: Pointer, error: Pointer): number;
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_polycube_version(): number;
   /** Fills a problem with n = m = 0 and no bounds. */

@@ -697,6 +697,14 @@ export const layouts = {
       edge_length: ['f64', 8],
     },
   },
+  obc_polycube_atlas_options: {
+    size: 16,
+    fields: {
+      struct_size: ['u32', 0],
+      size: ['u32', 4],
+      padding: ['f64', 8],
+    },
+  },
   obc_projected_gradient_problem: {
     size: 44,
     fields: {
@@ -1185,6 +1193,13 @@ export const functions = {
   obc_polycube_quads_quad_count: 'ii',
   obc_polycube_quads_copy: 'iiiiiii',
   obc_polycube_quads_copy_sources: 'iiiii',
+  obc_polycube_atlas_options_init: 'iii',
+  obc_polycube_atlas_create: 'iiiiii',
+  obc_polycube_atlas_destroy: 'vi',
+  obc_polycube_atlas_size: 'ii',
+  obc_polycube_atlas_triangle_count: 'ii',
+  obc_polycube_atlas_copy: 'iiiiii',
+  obc_polycube_atlas_sample: 'iiiiiii',
   obc_polycube_version: 'i',
   obc_projected_gradient_problem_init: 'iii',
   obc_projected_gradient_options_init: 'iii',

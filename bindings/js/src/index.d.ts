@@ -296,6 +296,29 @@ export interface DomainOptions {
   areaWeight?: number;
 }
 
+export interface AtlasOptions {
+  /** Texels along each side, up to 16384. */
+  size?: number;
+  /** Minimum distance of two patches in texels. */
+  padding?: number;
+}
+
+export class Atlas {
+  private constructor();
+  /** Texels along each side. */
+  readonly size: number;
+  /** u and v of the three corners of each triangle, 0 to 1, from the top left. */
+  readonly coordinates: Float64Array;
+  /** Texels along a unit of the polycube. */
+  readonly texelsPerUnit: number;
+  /** The fraction of the square in patches. */
+  readonly coverage: number;
+  /** What each texel shows, row by row from the top: a triangle of the map (0xFFFFFFFF: none), the weights of its three corners, and
+   *  whether it has the middle of the texel (1); others show the nearest texel in a patch. */
+  sample(host?: Host): { triangles: Uint32Array; weights: Float64Array; covered: Uint8Array };
+  close(): void;
+}
+
 export class Polycube {
   private constructor();
   readonly corners: number;
@@ -305,6 +328,8 @@ export class Polycube {
   readonly arrays: Surface & { polycube: Float64Array };
   readonly triangleParts: { labels: Uint8Array; patches: Uint32Array; sources: Uint32Array };
   optimizeDomain(options?: DomainOptions & Host): Polycube;
+  /** The patches packed into a square, for textures. */
+  atlas(options?: AtlasOptions & Host): Atlas;
   /** A mesh of about the given number of quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
   quads(count?: number, host?: Host): { positions: Float64Array; polycube: Float64Array; corners: Uint32Array; patches: Uint32Array };
   close(): void;

@@ -14,7 +14,7 @@ export { ProjectedGradient } from './projected_gradient.js';
 export { SphereOptimizer } from './sphere_optimizer.js';
 export { Mesh, checkClosedGenusZero, formatOf, formats, meanDistance, orient, topology, vertexAreas, vertexNormals, writeMesh } from './mesh.js';
 export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToFloat, sphereMap } from './sphere_map.js';
-export { Polycube, commonPolycube, polycube } from './polycube.js';
+export { Atlas, Polycube, commonPolycube, polycube } from './polycube.js';
 export { frameField, matchings, measureFrames, singularities } from './frame_field.js';
 export { hexahedra } from './hexmesh.js';
 export { untangle } from './untangle.js';

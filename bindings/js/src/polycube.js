@@ -4,6 +4,62 @@ import { onSurface, surfaceAt } from './mesh.js';
 
 const split = ({ onProgress, signal, ...chosen }) => [{ onProgress, signal }, chosen];
 
+/** A texture atlas: the patches of a polycube packed into a square. */
+export class Atlas extends Handle {
+  constructor(address) {
+    super(address, 'obc_polycube_atlas_destroy');
+  }
+
+  /** Texels along each side. */
+  get size() {
+    return raw('obc_polycube_atlas_size', this.address);
+  }
+
+  /** u and v of the three corners of each triangle, 0 to 1, from the top left. */
+  get coordinates() {
+    const length = 6 * raw('obc_polycube_atlas_triangle_count', this.address);
+    return scratched((scratch) => {
+      const room = scratch.room('f64', length);
+      call('obc_polycube_atlas_copy', this.address, room, 0, 0);
+      return view('f64', room, length).slice();
+    });
+  }
+
+  get #figures() {
+    return scratched((scratch) => {
+      const room = scratch.room('f64', 2);
+      call('obc_polycube_atlas_copy', this.address, 0, room, room + 8);
+      return view('f64', room, 2).slice();
+    });
+  }
+
+  /** Texels along a unit of the polycube. */
+  get texelsPerUnit() {
+    return this.#figures[0];
+  }
+
+  /** The fraction of the square in patches. */
+  get coverage() {
+    return this.#figures[1];
+  }
+
+  /**
+   * What each texel shows, row by row from the top: a triangle of the map (0xFFFFFFFF: none), the weights of its corners, and whether it
+   * has the middle of the texel (1); others show the nearest texel in a patch.
+   */
+  sample(host = {}) {
+    return withHost(host, (lent) => scratched((scratch) => {
+      const count = this.size ** 2;
+      const triangles = scratch.room('u32', count);
+      const weights = scratch.room('f64', 3 * count);
+      const covered = scratch.bytes(count);
+      call('obc_polycube_atlas_sample', this.address, lent, triangles, weights, covered);
+      return { triangles: view('u32', triangles, count).slice(), weights: view('f64', weights, 3 * count).slice(),
+        covered: view('u8', covered, count).slice() };
+    }));
+  }
+}
+
 /** A certified polycube map. */
 export class Polycube extends Handle {
   constructor(address) {
@@ -52,6 +108,13 @@ export class Polycube extends Handle {
       return { labels: view('u8', labels, count).slice(), patches: view('u32', patches, count).slice(),
         sources: view('u32', sources, count).slice() };
     });
+  }
+
+  /** The patches packed into a square, for textures. */
+  atlas(given = {}) {
+    const [host, chosen] = split(given);
+    return withHost(host, (lent) => scratched((scratch) =>
+      new Atlas(make('obc_polycube_atlas_create', this.address, options(scratch, 'obc_polycube_atlas_options', chosen), lent))));
   }
 
   /** A mesh of about the given number of quads, the same for maps to one polycube: where its vertices are on surface and polycube. */

@@ -22,7 +22,7 @@ export fit_harmonics, refine_map, synthesize, evaluate_harmonics, harmonic_gradi
 export rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
-export energies, polycube_graph, polycube_quads
+export energies, polycube_graph, polycube_quads, polycube_atlas
 export Correspondence, blend, map_points
 export untangle, refine_untangled, RefinedMesh, map_to_polycube, FrameMap, parameterize, SolidLocator, fill_with_hexahedra
 

@@ -222,3 +222,44 @@ function polycube_quads(map::PolycubeMap; threads=0, progress=nothing, options..
         Raw.obc_polycube_quads_destroy(out[])
     end
 end
+
+"""
+A texture atlas of a map: `coordinates` (u and v, 0 to 1 from the top left, of the three corners of each triangle: 2 by 3 by m), `size` (texels
+along each side), `texels_per_unit` of the polycube, and `coverage`, the fraction of the square in patches.
+"""
+mutable struct Atlas
+    handle::Ptr{Cvoid}
+    size::Int
+    coordinates::Array{Float64,3}
+    texels_per_unit::Float64
+    coverage::Float64
+end
+
+Base.show(io::IO, atlas::Atlas) = print(io, "Atlas(", atlas.size, " x ", atlas.size, " texels, ", size(atlas.coordinates, 3), " triangles)")
+
+"The patches of a polycube packed into a square, for textures. Options: size, padding (texels)."
+function polycube_atlas(map::PolycubeMap; threads=0, progress=nothing, options...)
+    chosen = filled(Raw.obc_polycube_atlas_options, Raw.obc_polycube_atlas_options_init, values(options))
+    out, scale, coverage = Ref(C_NULL), Ref(0.0), Ref(0.0)
+    GC.@preserve map hosted(threads=threads, progress=progress) do lent, error
+        Raw.obc_polycube_atlas_create(map.handle, chosen, lent, out, error)
+    end
+    atlas = Atlas(out[], Int(Raw.obc_polycube_atlas_size(out[])), Array{Float64}(undef, 2, 3, Raw.obc_polycube_atlas_triangle_count(out[])), 0, 0)
+    finalizer(it -> released(Raw.obc_polycube_atlas_destroy, it.handle), atlas)
+    checked(error -> Raw.obc_polycube_atlas_copy(atlas.handle, atlas.coordinates, scale, coverage, error))
+    atlas.texels_per_unit, atlas.coverage = scale[], coverage[]
+    atlas
+end
+
+"""
+What each texel of an atlas shows; the first index goes from the left, the second from the top: `triangles` of the map (0 for none), `weights` of
+their corners (3 by size by size), and whether they have the middle of the texel (`covered`); others show the nearest texel in a patch.
+"""
+function sample(atlas::Atlas; host...)
+    n = atlas.size
+    faces, weights, covered = Matrix{UInt32}(undef, n, n), Array{Float64}(undef, 3, n, n), Matrix{UInt8}(undef, n, n)
+    GC.@preserve atlas hosted(; host...) do lent, error
+        Raw.obc_polycube_atlas_sample(atlas.handle, lent, faces, weights, covered, error)
+    end
+    (triangles=[face == typemax(UInt32) ? 0 : Int(face) + 1 for face in faces], weights=weights, covered=covered .!= 0)
+end

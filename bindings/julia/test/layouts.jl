@@ -41,6 +41,7 @@ const layouts = [
     (Orbicube.Raw.obc_polycube_feature_report, 80, [0, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_polycube_constraints, 32, [0, 8, 16, 24]),
     (Orbicube.Raw.obc_polycube_quads_options, 24, [0, 8, 16]),
+    (Orbicube.Raw.obc_polycube_atlas_options, 16, [0, 4, 8]),
     (Orbicube.Raw.obc_projected_gradient_problem, 88, [0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
     (Orbicube.Raw.obc_projected_gradient_options, 64, [0, 4, 8, 12, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_projected_gradient_result, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),

@@ -63,6 +63,15 @@ end
     @test maximum(maximum(abs, at[i] - mesh.polycube[:, i]) for i in eachindex(at)) < 1e-12
     @test maximum(mesh.quads) == size(mesh.positions, 2) && sort(unique(mesh.patches)) == 1:6
 
+    atlas = polycube_atlas(map; size=64, padding=2)
+    @test atlas.size == 64 && size(atlas.coordinates) == (2, 3, size(map.triangles, 2)) && atlas.texels_per_unit > 0
+    texels = sample(atlas)
+    @test all(sum(texels.weights; dims=1) .≈ 1) && extrema(texels.triangles)[1] >= 1
+    inside = findall(texels.covered)
+    middles = [sum(texels.weights[k, i] * atlas.coordinates[:, k, texels.triangles[i]] for k in 1:3) for i in inside]
+    @test maximum(maximum(abs, 64 * m - [i[1] - 0.5, i[2] - 0.5]) for (m, i) in zip(middles, inside)) < 1e-9
+    @test_throws OrbicubeError polycube_atlas(map; size=0)
+
     # A vertex within a patch to the middle of a triangle beside it.
     on_corner_planes(v) = count(k -> minimum(abs.(graph.corner_positions[k, :] .- map.polycube[k, v])) < 1e-9, 1:3)
     vertex = findfirst(v -> on_corner_planes(v) == 1, axes(map.polycube, 2))

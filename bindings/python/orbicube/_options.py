@@ -189,6 +189,12 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("edge_length", "float", 0.0,
                doc="edge length on the polycube, in place of `quads`; 0: by `quads`. Default: 0."),
     ),
+    "obc_polycube_atlas_options": (
+        Option("size", "int", 1024, low=0, high=4294967295,
+               doc="number of texels along each side, 1 to 16384. Default: 1024."),
+        Option("padding", "float", 4.0,
+               doc="minimum distance of two patches in texels, nonnegative; half of it is left at the border. Default: 4."),
+    ),
     "obc_projected_gradient_options": (
         Option("method", "word", "face", words={"face": 0, "dissertation": 1},
                doc="OBC_PROJECTED_GRADIENT_FACE or DISSERTATION. Default: FACE."),

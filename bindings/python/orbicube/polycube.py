@@ -176,6 +176,16 @@ class Polycube:
         chosen = filled(raw.obc_polycube_quads_options, raw.obc_polycube_quads_options_init, locals())
         return Quads(self, chosen, progress)
 
+    @with_options("obc_polycube_atlas_options")
+    def atlas(self, *,
+              # options of obc_polycube_atlas_options, written by scripts/bindings.py
+              size: int = 1024, padding: float = 4.0,
+              # end of options
+              progress: Progress = None) -> Atlas:
+        """The patches packed into a square, for textures."""
+        chosen = filled(raw.obc_polycube_atlas_options, raw.obc_polycube_atlas_options_init, locals())
+        return Atlas(self, chosen, progress)
+
 
 class Graph(Record):
     """Corners, straight edges and patches of a polycube, without its triangles."""
@@ -223,6 +233,45 @@ class Quads(Record):
         self.triangles, self.weights = np.empty(n, np.uint32), np.empty((n, 3))
         call(raw.obc_polycube_quads_copy_sources, handle, address(self.triangles), address(self.weights))
         handle.close()
+
+
+class Atlas:
+    """A texture atlas of a map: coordinates (u and v of each corner of each triangle, from the top left), size (texels along each
+    side), texels_per_unit of the polycube, and coverage, the fraction of the square in patches."""
+
+    def __init__(self, map: Polycube, chosen: Any, progress: Progress) -> None:
+        self._handle, self._triangles = Handle(raw.obc_polycube_atlas_destroy), map.triangles
+        call(raw.obc_polycube_atlas_create, map._handle, byref(chosen), HOST, byref(self._handle), progress=progress)
+        self.size = raw.obc_polycube_atlas_size(self._handle)
+        self.coordinates = np.empty((len(self._triangles), 3, 2))
+        scale, coverage = ctypes.c_double(), ctypes.c_double()
+        call(raw.obc_polycube_atlas_copy, self._handle, address(self.coordinates), byref(scale), byref(coverage))
+        self.texels_per_unit, self.coverage = scale.value, coverage.value
+
+    def __repr__(self) -> str:
+        return f"Atlas({self.size} x {self.size} texels, {len(self.coordinates)} triangles)"
+
+    @public
+    def sample(self, *, progress: Progress = None) -> tuple[Indices, Doubles, NDArray[np.bool_]]:
+        """What each texel shows, in rows from the top: the triangle of the map (2^32 - 1 for none), the weights of its three corners,
+        and whether it has the middle of the texel; others show the nearest texel in a patch."""
+        shape = self.size, self.size
+        triangles, weights, covered = np.empty(shape, np.uint32), np.empty((*shape, 3)), np.empty(shape, np.uint8)
+        call(raw.obc_polycube_atlas_sample, self._handle, HOST, address(triangles), address(weights), address(covered),
+             progress=progress)
+        return triangles, weights, covered.astype(bool)
+
+    @public
+    def texture(self, values: ArrayLike, *, progress: Progress = None) -> Doubles:
+        """Values of the vertices of the map, interpolated at the texels, in rows from the top; NaN where there is no triangle."""
+        given = doubles(values, rows=int(self._triangles.max()) + 1, name="values", each="vertex")
+        triangles, weights, _ = self.sample(progress=progress)
+        none = triangles == np.uint32(2**32 - 1)
+        corners = self._triangles[np.where(none, 0, triangles)]
+        shape = *triangles.shape, *(1,) * (given.ndim - 1)
+        image: Doubles = sum(weights[..., k].reshape(shape) * given[corners[..., k]] for k in range(3))
+        image[none] = np.nan
+        return image
 
 
 def _curves(curves: Sequence[tuple[Any, ...]], n: int) -> list[Any]:

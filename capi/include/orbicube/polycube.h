@@ -375,6 +375,50 @@ OBC_API obc_status obc_polycube_quads_copy(const obc_polycube_quads *quads, doub
 OBC_API obc_status obc_polycube_quads_copy_sources(const obc_polycube_quads *quads, uint32_t *triangles, double *weights,
                                                    obc_error *error);
 
+/* ---- texture atlas --------------------------------------------------------------------------------------------------- */
+
+/* A texture atlas: the patches of a polycube packed into a square without overlap (in the manner of Levy, Petitjean, Ray and Maillot
+ * 2002, "Least squares conformal maps for automatic texture atlas generation"). All patches have one scale, are upright or turned by a
+ * quarter, and none is mirrored. */
+typedef struct obc_polycube_atlas obc_polycube_atlas;
+
+/* Options of an atlas. Fill with _init. */
+typedef struct obc_polycube_atlas_options {
+  uint32_t struct_size;
+  uint32_t size;  /* number of texels along each side, 1 to 16384. Default: 1024. */
+  double padding; /* minimum distance of two patches in texels, nonnegative; half of it is left at the border. Default: 4. */
+} obc_polycube_atlas_options;
+
+/* Fills options with the defaults. */
+OBC_API obc_status obc_polycube_atlas_options_init(obc_polycube_atlas_options *options, size_t struct_size);
+
+/* Packs the patches of a map, which may be destroyed afterwards, at the largest scale that is found. The layout depends on the polycube
+ * alone. Errors: invalid argument; unsupported (the square is too small for all patches with their padding); out of memory; cancelled. */
+OBC_API obc_status obc_polycube_atlas_create(const obc_polycube *map, const obc_polycube_atlas_options *options,
+                                             const obc_host *host, obc_polycube_atlas **out, obc_error *error);
+
+/* Destroys an atlas; NULL is allowed. */
+OBC_API void obc_polycube_atlas_destroy(obc_polycube_atlas *atlas);
+
+/* Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL. */
+OBC_API uint32_t obc_polycube_atlas_size(const obc_polycube_atlas *atlas);
+OBC_API size_t obc_polycube_atlas_triangle_count(const obc_polycube_atlas *atlas);
+
+/* Copies an atlas, each output may be NULL: texture coordinates of the corners of each triangle (u v of each of the three corners; 0 to
+ * 1, u from the left and v from the top, as in glTF), the number of texels along a unit of the polycube, and the fraction of the square
+ * that the patches cover (0 to 1). A vertex on an edge of the polycube has other coordinates in each of its patches. Errors: invalid
+ * argument. */
+OBC_API obc_status obc_polycube_atlas_copy(const obc_polycube_atlas *atlas, double *coordinates, double *texels_per_unit,
+                                           double *coverage, obc_error *error);
+
+/* Samples an atlas: what each of its size * size texels shows, row by row from the top, so that any data of vertices becomes a texture.
+ * Each array may be NULL: the triangle of the map, the barycentric weights of its three corners (nonnegative, sum 1), and whether the
+ * middle of the texel is in that triangle (1). Beside the patches (0) texels show the point of the nearest texel in a patch, so that
+ * filters and smaller copies of a texture mix nothing else into its patches; where no patch has the middle of any texel, all have triangle
+ * UINT32_MAX and weights 0. O(texels + triangles). Errors: invalid argument, out of memory, cancelled. */
+OBC_API obc_status obc_polycube_atlas_sample(const obc_polycube_atlas *atlas, const obc_host *host, uint32_t *triangles,
+                                             double *weights, uint8_t *covered, obc_error *error);
+
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_polycube_version(void);
 

@@ -132,6 +132,25 @@ TEST_CASE("quaternions, frames and a polycube") {
   Polycube::QuadsOptions options;
   options.quads = 24;
   CHECK(map.quads(options).corners.size() >= 4 * 6);
+  Polycube::AtlasOptions square;
+  square.size = 32;
+  const Polycube::Atlas atlas = map.atlas(square);
+  CHECK(atlas.size() == 32);
+  CHECK(atlas.triangle_count() == map.triangle_count());
+  CHECK(atlas.texels_per_unit() > 0);
+  const auto at = atlas.coordinates();
+  const auto texels = atlas.sample();
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < 32 * 32; ++i) {
+    if (texels.covered[i] == 0) continue;
+    ++covered;
+    double u = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      u += texels.weights[3 * i + k] * at[6 * texels.triangles[i] + 2 * k];
+    CHECK(32 * u == doctest::Approx(static_cast<double>(i % 32) + 0.5));
+  }
+  // Six rectangles have the middles that their areas say, up to one along each of their sides, of up to 16 texels.
+  CHECK(std::abs(static_cast<double>(covered) - 32 * 32 * atlas.coverage()) < 6 * 2 * 16);
   const auto positions = map.positions(), places = map.polycube();
   const auto triangles = map.triangles();
   CHECK(Polycube::certify(Surface(positions, triangles), places).corner_count() == 8);

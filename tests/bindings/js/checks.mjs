@@ -375,6 +375,27 @@ export const checks = {
     for (const each of [map, better, mesh]) each.close();
   },
 
+  'an atlas: the texels of a patch have the weights that their middles have in their triangles'(o) {
+    const mesh = o.Mesh.make('cube', 300);
+    const map = o.polycube(mesh);
+    const atlas = map.atlas({ size: 64, padding: 2 });
+    const { size, coordinates, texelsPerUnit, coverage } = atlas;
+    same([size, coordinates.length], [64, 6 * map.triangleCount]);
+    const { triangles, weights, covered } = atlas.sample();
+    covered.forEach((inside, i) => {
+      const [a, b, c] = weights.subarray(3 * i);
+      assert(Math.abs(a + b + c - 1) < 1e-12, `weights of texel ${i}`);
+      const at = (k) => [a, b, c].reduce((sum, w, j) => sum + w * coordinates[6 * triangles[i] + 2 * j + k], 0);
+      if (inside) assert(Math.hypot(64 * at(0) - (i % 64) - 0.5, 64 * at(1) - Math.floor(i / 64) - 0.5) < 1e-9, `texel ${i}`);
+    });
+    // Middles in six rectangles: each has as many as its area says, up to one along each side.
+    const count = covered.reduce((sum, inside) => sum + inside, 0);
+    assert(texelsPerUnit > 0 && Math.abs(count - 64 * 64 * coverage) < 6 * 2 * 32, `${count} texels for a coverage of ${coverage}`);
+    same(failure(() => map.atlas({ size: 0 })).kind, 'invalid-argument');
+    same(failure(() => atlas.sample({ onProgress: () => false })).kind, 'cancelled');
+    for (const each of [atlas, map, mesh]) each.close();
+  },
+
   'harmonics: known functions, gradients by differences, a shape and its turned self'(o) {
     const h = o.harmonics;
     const { positions: at, triangles } = o.grid('icosphere', 3).arrays;

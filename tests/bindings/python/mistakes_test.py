@@ -24,6 +24,7 @@ FLAT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 Q, V = np.array([1.0, 0, 0, 0]), np.array([1.0, 2, 3])
 COEFFICIENTS = np.ones((9, 3)) + np.arange(27).reshape(9, 3)
 MAP = polycube.compute(CUBE)
+ATLAS = MAP.atlas(size=16)
 BOTH = correspondence.Correspondence([CUBE, CUBE], align="none")
 LOCATOR = sphere_map.Locator(SURFACE, DIRECTIONS)
 PIXELS = LOCATOR.image(SURFACE[0], "octahedron", 4)
@@ -129,6 +130,9 @@ CALLS = {
         "vertices": [0], "targets": MAP.polycube[:1], "weights": [1.0], "curves": []}),
     "polycube.Polycube.graph": (MAP.graph, {}),
     "polycube.Polycube.quads": (MAP.quads, {"quads": 50}),
+    "polycube.Polycube.atlas": (MAP.atlas, {"size": 32}),
+    "polycube.Atlas.sample": (ATLAS.sample, {}),
+    "polycube.Atlas.texture": (ATLAS.texture, {"values": MAP.positions}),
     "polycube.Graph": (polycube.Graph, {"map": MAP}),
     "polycube.compute": (polycube.compute, {"surface": SURFACE}),
     "polycube.certify": (polycube.certify, {"surface": (MAP.positions, MAP.triangles), "polycube": MAP.polycube}),
@@ -246,7 +250,7 @@ if HAS_TETRAHEDRA:
 # Classes of results, which people do not make; what is called for each evaluation, and looks at its arguments alone; and
 # conversions for packages that need not be there. scipy.optimize calls the methods for it, with its own arguments (scipy_test.py).
 NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_least_squares", "trust_region.scipy_method", "correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
-              "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "mesh.to_trimesh", "mesh.to_polyscope", "mesh.show", "mesh.Mesh.show", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
+              "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "mesh.to_trimesh", "mesh.to_polyscope", "mesh.show", "mesh.Mesh.show", "gltf.Surface", "polycube.Atlas", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "untangle.Refined", "volume_map.FrameMap", "volume_map.Solid",
               "hexmesh.Hexes", "hexmesh.MissingFeature"}

@@ -71,6 +71,19 @@ class Solids(unittest.TestCase):
         np.testing.assert_allclose(
             np.einsum("ij,ijk->ik", quads.weights, better.positions[better.triangles[quads.triangles]]), quads.positions,
             atol=1e-12)
+        atlas = better.atlas(size=64, padding=2)
+        self.assertRegex(repr(atlas), r"64 x 64 texels, \d+ triangles")
+        triangles, weights, covered = atlas.sample()
+        rows, columns = np.nonzero(covered)
+        middles = np.einsum("ij,ijk->ik", weights[covered], atlas.coordinates[triangles[covered]])
+        np.testing.assert_allclose(64 * middles, np.column_stack([columns, rows]) + 0.5, atol=1e-9)
+        # A linear function of the vertices is the same function of the points that texels show.
+        image = atlas.texture(better.positions)
+        np.testing.assert_allclose(image[covered], np.einsum("ij,ijk->ik", weights[covered],
+                                                             better.positions[better.triangles[triangles[covered]]]), atol=1e-12)
+        self.assertEqual(atlas.texture(better.positions[:, 0]).tobytes(), image[..., 0].tobytes())
+        with self.assertRaises(orbicube.InvalidArgument):
+            better.atlas(size=0)
         # A vertex in the middle of a triangle beside it, and curved edges of the surface on edges of the polycube.
         triangle = next(t for t in better.triangles if t[0] < len(shape))
         place = better.polycube[triangle].mean(axis=0)

@@ -8,6 +8,34 @@ using namespace fuzz;
 
 namespace {
 
+void look_at_atlas(const obc_polycube* map, Input& in, Host& host) {
+  obc_polycube_atlas_options square;
+  obc_polycube_atlas_options_init(&square, sizeof square);
+  square.size = in.one_in(20) ? static_cast<std::uint32_t>(in.bits()) : in.byte();
+  if (in.one_in(4)) square.padding = in.number();
+  obc_polycube_atlas* atlas = nullptr;
+  if (square.size > 256 ||
+      !ok([&](obc_error* e) { return obc_polycube_atlas_create(map, &square, host.c(), &atlas, e); }))
+    return;
+  const std::size_t count = std::size_t{square.size} * square.size;
+  std::vector<double> at(6 * obc_polycube_atlas_triangle_count(atlas)), weights(3 * count);
+  std::vector<std::uint32_t> triangles(count);
+  std::vector<std::uint8_t> covered(count);
+  require(ok([&](obc_error* e) { return obc_polycube_atlas_copy(atlas, at.data(), nullptr, nullptr, e); }),
+          "an atlas cannot be copied");
+  for (const double x : at)
+    require(x >= 0 && x <= 1, "a corner outside of the texture");
+  if (ok([&](obc_error* e) {
+        return obc_polycube_atlas_sample(atlas, host.c(), triangles.data(), weights.data(), covered.data(), e);
+      })) {
+    for (std::size_t i = 0; i < count; ++i) {
+      require(covered[i] == 0 || triangles[i] < obc_polycube_triangle_count(map), "a texel of no triangle");
+      require(weights[3 * i] >= 0 && weights[3 * i + 1] >= 0 && weights[3 * i + 2] >= 0, "a weight below zero");
+    }
+  }
+  obc_polycube_atlas_destroy(atlas);
+}
+
 void look_at(const obc_polycube* map, Input& in, Host& host) {
   const std::size_t n = obc_polycube_vertex_count(map), m = obc_polycube_triangle_count(map);
   std::vector<double> positions(3 * n), polycube(3 * n), weights(3 * n);
@@ -108,6 +136,7 @@ void look_at(const obc_polycube* map, Input& in, Host& host) {
     require(begin.back() == darts.size(), "loops without some darts");
     obc_polycube_graph_destroy(graph);
   }
+  look_at_atlas(map, in, host);
   obc_polycube_quads_options fine;
   obc_polycube_quads_options_init(&fine, sizeof fine);
   fine.quads = in.one_in(20) ? in.bits() : in.byte();

@@ -123,6 +123,13 @@ mutable struct obc_polycube_quads_options <: CStruct
     obc_polycube_quads_options() = zeroed!(new())
 end
 
+mutable struct obc_polycube_atlas_options <: CStruct
+    struct_size::UInt32
+    size::UInt32
+    padding::Float64
+    obc_polycube_atlas_options() = zeroed!(new())
+end
+
 const address_obc_polycube_create = Ref(C_NULL)
 obc_polycube_create(surface, polycube, host, certificate, out, error) =
     ccall(symbol(address_obc_polycube_create, :polycube, :obc_polycube_create), Int32, (Ptr{obc_surface}, Ptr{Float64}, Ptr{obc_host}, Ptr{obc_polycube_certificate}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, polycube, host, certificate, out, error)
@@ -294,6 +301,34 @@ obc_polycube_quads_copy(quads, positions, polycube, corners, patches, error) =
 const address_obc_polycube_quads_copy_sources = Ref(C_NULL)
 obc_polycube_quads_copy_sources(quads, triangles, weights, error) =
     ccall(symbol(address_obc_polycube_quads_copy_sources, :polycube, :obc_polycube_quads_copy_sources), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{Float64}, Ptr{obc_error}), quads, triangles, weights, error)
+
+const address_obc_polycube_atlas_options_init = Ref(C_NULL)
+obc_polycube_atlas_options_init(options, struct_size) =
+    ccall(symbol(address_obc_polycube_atlas_options_init, :polycube, :obc_polycube_atlas_options_init), Int32, (Ptr{obc_polycube_atlas_options}, Csize_t), options, struct_size)
+
+const address_obc_polycube_atlas_create = Ref(C_NULL)
+obc_polycube_atlas_create(map, options, host, out, error) =
+    ccall(symbol(address_obc_polycube_atlas_create, :polycube, :obc_polycube_atlas_create), Int32, (Ptr{Cvoid}, Ptr{obc_polycube_atlas_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), map, options, host, out, error)
+
+const address_obc_polycube_atlas_destroy = Ref(C_NULL)
+obc_polycube_atlas_destroy(atlas) =
+    ccall(symbol(address_obc_polycube_atlas_destroy, :polycube, :obc_polycube_atlas_destroy), Cvoid, (Ptr{Cvoid},), atlas)
+
+const address_obc_polycube_atlas_size = Ref(C_NULL)
+obc_polycube_atlas_size(atlas) =
+    ccall(symbol(address_obc_polycube_atlas_size, :polycube, :obc_polycube_atlas_size), UInt32, (Ptr{Cvoid},), atlas)
+
+const address_obc_polycube_atlas_triangle_count = Ref(C_NULL)
+obc_polycube_atlas_triangle_count(atlas) =
+    ccall(symbol(address_obc_polycube_atlas_triangle_count, :polycube, :obc_polycube_atlas_triangle_count), Csize_t, (Ptr{Cvoid},), atlas)
+
+const address_obc_polycube_atlas_copy = Ref(C_NULL)
+obc_polycube_atlas_copy(atlas, coordinates, texels_per_unit, coverage, error) =
+    ccall(symbol(address_obc_polycube_atlas_copy, :polycube, :obc_polycube_atlas_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), atlas, coordinates, texels_per_unit, coverage, error)
+
+const address_obc_polycube_atlas_sample = Ref(C_NULL)
+obc_polycube_atlas_sample(atlas, host, triangles, weights, covered, error) =
+    ccall(symbol(address_obc_polycube_atlas_sample, :polycube, :obc_polycube_atlas_sample), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{UInt32}, Ptr{Float64}, Ptr{UInt8}, Ptr{obc_error}), atlas, host, triangles, weights, covered, error)
 
 const address_obc_polycube_version = Ref(C_NULL)
 obc_polycube_version() =

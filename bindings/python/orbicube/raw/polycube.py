@@ -154,6 +154,15 @@ class obc_polycube_quads_options(_Struct):
     ]
 
 
+class obc_polycube_atlas_options(_Struct):
+    """Options of an atlas. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("size", _c.c_uint32),
+        ("padding", _c.c_double),
+    ]
+
+
 _functions = [
     ("obc_polycube_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
@@ -198,6 +207,13 @@ _functions = [
     ("obc_polycube_quads_quad_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_polycube_quads_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_quads_copy_sources", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_atlas_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_atlas_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_atlas_destroy", None, [_c.c_void_p]),
+    ("obc_polycube_atlas_size", _c.c_uint32, [_c.c_void_p]),
+    ("obc_polycube_atlas_triangle_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_atlas_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_atlas_sample", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_version", _c.c_uint32, []),
 ]
 

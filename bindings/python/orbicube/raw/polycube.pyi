@@ -117,6 +117,12 @@ class obc_polycube_quads_options(Struct):
     edge_length: float
     def __init__(self, struct_size: int = ..., quads: int = ..., edge_length: float = ...) -> None: ...
 
+class obc_polycube_atlas_options(Struct):
+    struct_size: int
+    size: int
+    padding: float
+    def __init__(self, struct_size: int = ..., size: int = ..., padding: float = ...) -> None: ...
+
 def obc_polycube_create(surface: Pointer, polycube: Pointer, host: Pointer, certificate: Pointer, out: Pointer, error: Pointer) -> int:
     """Certifies a map of other origin: `surface` in space, `polycube` the positions of its vertices on the polycube (x y z a vertex).
     certificate may be NULL; it is filled for valid and invalid maps. O(n log n) except for thousands of corners. Errors: invalid
@@ -334,6 +340,42 @@ def obc_polycube_quads_copy(quads: Pointer, positions: Pointer, polycube: Pointe
 def obc_polycube_quads_copy_sources(quads: Pointer, triangles: Pointer, weights: Pointer, error: Pointer) -> int:
     """Copies for each vertex the triangle of the map that contains it and its barycentric weights, nonnegative with sum 1. Errors:
     invalid argument."""
+    ...
+
+def obc_polycube_atlas_options_init(options: Pointer, struct_size: int) -> int:
+    """Fills options with the defaults."""
+    ...
+
+def obc_polycube_atlas_create(map: Pointer, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
+    """Packs the patches of a map, which may be destroyed afterwards, at the largest scale that is found. The layout depends on the polycube
+    alone. Errors: invalid argument; unsupported (the square is too small for all patches with their padding); out of memory; cancelled."""
+    ...
+
+def obc_polycube_atlas_destroy(atlas: Pointer) -> None:
+    """Destroys an atlas; NULL is allowed."""
+    ...
+
+def obc_polycube_atlas_size(atlas: Pointer) -> int:
+    """Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL."""
+    ...
+
+def obc_polycube_atlas_triangle_count(atlas: Pointer) -> int:
+    """Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL."""
+    ...
+
+def obc_polycube_atlas_copy(atlas: Pointer, coordinates: Pointer, texels_per_unit: Pointer, coverage: Pointer, error: Pointer) -> int:
+    """Copies an atlas, each output may be NULL: texture coordinates of the corners of each triangle (u v of each of the three corners; 0 to
+    1, u from the left and v from the top, as in glTF), the number of texels along a unit of the polycube, and the fraction of the square
+    that the patches cover (0 to 1). A vertex on an edge of the polycube has other coordinates in each of its patches. Errors: invalid
+    argument."""
+    ...
+
+def obc_polycube_atlas_sample(atlas: Pointer, host: Pointer, triangles: Pointer, weights: Pointer, covered: Pointer, error: Pointer) -> int:
+    """Samples an atlas: what each of its size * size texels shows, row by row from the top, so that any data of vertices becomes a texture.
+    Each array may be NULL: the triangle of the map, the barycentric weights of its three corners (nonnegative, sum 1), and whether the
+    middle of the texel is in that triangle (1). Beside the patches (0) texels show the point of the nearest texel in a patch, so that
+    filters and smaller copies of a texture mix nothing else into its patches; where no patch has the middle of any texel, all have triangle
+    UINT32_MAX and weights 0. O(texels + triangles). Errors: invalid argument, out of memory, cancelled."""
     ...
 
 def obc_polycube_version() -> int:

@@ -52,6 +52,15 @@ pub struct obc_polycube_quads {
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
+/// A texture atlas: the patches of a polycube packed into a square without overlap (in the manner of Levy, Petitjean, Ray and Maillot
+/// 2002, "Least squares conformal maps for automatic texture atlas generation"). All patches have one scale, are upright or turned by a
+/// quarter, and none is mirrored.
+#[repr(C)]
+pub struct obc_polycube_atlas {
+    _private: [u8; 0],
+    _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
+}
+
 /// Findings of the certification. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -261,6 +270,17 @@ pub struct obc_polycube_quads_options {
     pub edge_length: f64,
 }
 
+/// Options of an atlas. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_polycube_atlas_options {
+    pub struct_size: u32,
+    /// number of texels along each side, 1 to 16384. Default: 1024.
+    pub size: u32,
+    /// minimum distance of two patches in texels, nonnegative; half of it is left at the border. Default: 4.
+    pub padding: f64,
+}
+
 extern "C" {
     /// Certifies a map of other origin: \`surface\` in space, \`polycube\` the positions of its vertices on the polycube (x y z a vertex).
     /// certificate may be NULL; it is filled for valid and invalid maps. O(n log n) except for thousands of corners. Errors: invalid
@@ -395,6 +415,28 @@ extern "C" {
     /// Copies for each vertex the triangle of the map that contains it and its barycentric weights, nonnegative with sum 1. Errors:
     /// invalid argument.
     pub fn obc_polycube_quads_copy_sources(quads: *const obc_polycube_quads, triangles: *mut u32, weights: *mut f64, error: *mut obc_error) -> i32;
+    /// Fills options with the defaults.
+    pub fn obc_polycube_atlas_options_init(options: *mut obc_polycube_atlas_options, struct_size: usize) -> i32;
+    /// Packs the patches of a map, which may be destroyed afterwards, at the largest scale that is found. The layout depends on the polycube
+    /// alone. Errors: invalid argument; unsupported (the square is too small for all patches with their padding); out of memory; cancelled.
+    pub fn obc_polycube_atlas_create(map: *const obc_polycube, options: *const obc_polycube_atlas_options, host: *const obc_host, out: *mut *mut obc_polycube_atlas, error: *mut obc_error) -> i32;
+    /// Destroys an atlas; NULL is allowed.
+    pub fn obc_polycube_atlas_destroy(atlas: *mut obc_polycube_atlas);
+    /// Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL.
+    pub fn obc_polycube_atlas_size(atlas: *const obc_polycube_atlas) -> u32;
+    /// Return the number of texels along each side, and the number of triangles, which is that of the map; 0 for NULL.
+    pub fn obc_polycube_atlas_triangle_count(atlas: *const obc_polycube_atlas) -> usize;
+    /// Copies an atlas, each output may be NULL: texture coordinates of the corners of each triangle (u v of each of the three corners; 0 to
+    /// 1, u from the left and v from the top, as in glTF), the number of texels along a unit of the polycube, and the fraction of the square
+    /// that the patches cover (0 to 1). A vertex on an edge of the polycube has other coordinates in each of its patches. Errors: invalid
+    /// argument.
+    pub fn obc_polycube_atlas_copy(atlas: *const obc_polycube_atlas, coordinates: *mut f64, texels_per_unit: *mut f64, coverage: *mut f64, error: *mut obc_error) -> i32;
+    /// Samples an atlas: what each of its size \* size texels shows, row by row from the top, so that any data of vertices becomes a texture.
+    /// Each array may be NULL: the triangle of the map, the barycentric weights of its three corners (nonnegative, sum 1), and whether the
+    /// middle of the texel is in that triangle (1). Beside the patches (0) texels show the point of the nearest texel in a patch, so that
+    /// filters and smaller copies of a texture mix nothing else into its patches; where no patch has the middle of any texel, all have triangle
+    /// UINT32\_MAX and weights 0. O(texels + triangles). Errors: invalid argument, out of memory, cancelled.
+    pub fn obc_polycube_atlas_sample(atlas: *const obc_polycube_atlas, host: *const obc_host, triangles: *mut u32, weights: *mut f64, covered: *mut u8, error: *mut obc_error) -> i32;
     /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_polycube_version() -> u32;
 }
@@ -509,5 +551,11 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_quads_options.struct_size");
         assert_eq!(unsafe { addr_of!((*start).quads) } as usize - start as usize, 8, "obc_polycube_quads_options.quads");
         assert_eq!(unsafe { addr_of!((*start).edge_length) } as usize - start as usize, 16, "obc_polycube_quads_options.edge_length");
+        assert_eq!((size_of::<obc_polycube_atlas_options>(), align_of::<obc_polycube_atlas_options>()), (16, 8));
+        let it = MaybeUninit::<obc_polycube_atlas_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_atlas_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).size) } as usize - start as usize, 4, "obc_polycube_atlas_options.size");
+        assert_eq!(unsafe { addr_of!((*start).padding) } as usize - start as usize, 8, "obc_polycube_atlas_options.padding");
     }
 }

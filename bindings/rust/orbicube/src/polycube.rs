@@ -19,6 +19,8 @@ filled!(/// Options of the best proportions.
     DomainOptions, obc_polycube_domain_options, obc_polycube_domain_options_init);
 filled!(/// Options of the best corners.
     CornerOptions, obc_polycube_corner_options, obc_polycube_corner_options_init);
+filled!(/// Size and padding of an atlas.
+    AtlasOptions, obc_polycube_atlas_options, obc_polycube_atlas_options_init);
 filled!(/// How fine quads are.
     QuadsOptions, obc_polycube_quads_options, obc_polycube_quads_options_init);
 sized!(/// What was reached with features.
@@ -33,6 +35,52 @@ handle!(/// A certified map.
 // Read by several threads at once, as the header says.
 unsafe impl Send for Polycube {}
 unsafe impl Sync for Polycube {}
+
+handle!(/// A texture atlas: the patches of a polycube packed into a square.
+    Atlas, obc_polycube_atlas, obc_polycube_atlas_destroy);
+unsafe impl Send for Atlas {}
+unsafe impl Sync for Atlas {}
+
+/// What each texel of an atlas shows, row by row from the top.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Texels {
+    /// Of the map; `u32::MAX` for none.
+    pub triangles: Vec<u32>,
+    /// Of the corners of the triangle.
+    pub weights: Vec<[f64; 3]>,
+    /// Whether the triangle has the middle of the texel; others show the nearest texel in a patch.
+    pub covered: Vec<bool>,
+}
+
+impl Atlas {
+    /// Texels along each side.
+    pub fn size(&self) -> usize {
+        unsafe { obc_polycube_atlas_size(self.as_ptr()) as usize }
+    }
+    /// u and v of the three corners of each triangle, 0 to 1, from the top left.
+    pub fn coordinates(&self) -> Result<Vec<[[f64; 2]; 3]>, Error> {
+        let mut out = vec![[[0.0; 2]; 3]; unsafe { obc_polycube_atlas_triangle_count(self.as_ptr()) }];
+        checked(|error| unsafe {
+            obc_polycube_atlas_copy(self.as_ptr(), out.as_mut_ptr() as *mut f64, std::ptr::null_mut(), std::ptr::null_mut(), error)
+        })?;
+        Ok(out)
+    }
+    /// Texels along a unit of the polycube, and the fraction of the square in patches.
+    pub fn scale_and_coverage(&self) -> Result<(f64, f64), Error> {
+        let (mut scale, mut coverage) = (0.0, 0.0);
+        checked(|error| unsafe { obc_polycube_atlas_copy(self.as_ptr(), std::ptr::null_mut(), &mut scale, &mut coverage, error) })?;
+        Ok((scale, coverage))
+    }
+    pub fn sample(&self, host: &mut Host) -> Result<Texels, Error> {
+        let count = self.size() * self.size();
+        let (mut triangles, mut weights, mut covered) = (vec![0u32; count], vec![[0.0; 3]; count], vec![0u8; count]);
+        call(host, |host, error| unsafe {
+            obc_polycube_atlas_sample(self.as_ptr(), host, triangles.as_mut_ptr(), weights.as_mut_ptr() as *mut f64,
+                                      covered.as_mut_ptr(), error)
+        })?;
+        Ok(Texels { triangles, weights, covered: covered.iter().map(|&flag| flag != 0).collect() })
+    }
+}
 
 /// Of each triangle: its direction (0 to 5 for +x, -x, +y, -y, +z, -z), its patch, the surface's triangle.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -297,6 +345,12 @@ impl Polycube {
         let mut out = vec![0.0; unsafe { obc_polycube_energy_count(self.as_ptr()) }];
         checked(|error| unsafe { obc_polycube_copy_energies(self.as_ptr(), out.as_mut_ptr(), error) })?;
         Ok(out)
+    }
+    /// The patches packed into a square, for textures; it does not need the map any more.
+    pub fn atlas(&self, options: &AtlasOptions, host: &mut Host) -> Result<Atlas, Error> {
+        let mut out = std::ptr::null_mut();
+        call(host, |host, error| unsafe { obc_polycube_atlas_create(self.as_ptr(), &options.0, host, &mut out, error) })?;
+        Ok(Atlas::own(out))
     }
     pub fn quads(&self, options: &QuadsOptions, host: &mut Host) -> Result<Quads, Error> {
         let mut out = std::ptr::null_mut();

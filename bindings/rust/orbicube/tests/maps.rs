@@ -156,7 +156,7 @@ fn quaternions_frames_and_polycubes() {
 
 #[test]
 fn all_that_is_known_of_a_polycube() {
-    use orbicube::polycube::{Curve, Features, Place};
+    use orbicube::polycube::{AtlasOptions, Curve, Features, Place};
     let cube = Mesh::make("cube", 600, 0, &mut host()).unwrap();
     let map = Polycube::compute(cube.surface(), &Default::default(), &mut host()).unwrap();
     assert!(map.construction().is_some());
@@ -189,6 +189,21 @@ fn all_that_is_known_of_a_polycube() {
             assert!((sum - quads.polycube[3 * i + k]).abs() < 1e-12);
         }
     }
+
+    let mut square = AtlasOptions::default();
+    square.size = 64;
+    let atlas = map.atlas(&square, &mut host()).unwrap();
+    let (coordinates, texels) = (atlas.coordinates().unwrap(), atlas.sample(&mut host()).unwrap());
+    let (scale, coverage) = atlas.scale_and_coverage().unwrap();
+    assert!(atlas.size() == 64 && coordinates.len() == map.triangle_count() && scale > 0.0);
+    let mut covered = 0.0;
+    for (i, weights) in texels.weights.iter().enumerate().filter(|&(i, _)| texels.covered[i]) {
+        let u: f64 = (0..3).map(|k| weights[k] * coordinates[texels.triangles[i] as usize][k][0]).sum();
+        assert!((64.0 * u - (i % 64) as f64 - 0.5).abs() < 1e-9);
+        covered += 1.0;
+    }
+    // Six rectangles have the middles that their areas say, up to one along each of their sides, which have up to 32 texels.
+    assert!((covered - 64.0 * 64.0 * coverage).abs() < 6.0 * 2.0 * 32.0);
 
     // A vertex to another place of its patch, the others around it following.
     let kinds = map.of_triangles().unwrap();
