@@ -25,7 +25,7 @@ PARTS = {
                   "mesh", "gltf", "repair", "repair_figures", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_figures", "sphere_map_uses",
                   "tetrahedra", "untangle", "untangle_tables", "polycube", "polycube_tables", "polycube_figures", "correspondence", "study", "study_figures", "volume_map", "volume_map_figures",
                   "hexmesh"],
-    "Languages": ["cpp", "python", "rust", "julia", "javascript"],
+    "Languages": ["cpp", "python", "rust", "julia", "javascript", "blender"],
     "How it is kept": ["architecture", "abi", "trust"],
 }
 
