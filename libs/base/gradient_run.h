@@ -108,9 +108,9 @@ struct GradientRun {
     phase = phase == RunPhase::asked_first ? RunPhase::told_first : RunPhase::told;
   }
 
-  // The iterate's stationarity. True when the iterate is the best point: no higher by more than rounding, and nearer to
-  // stationary.
-  bool settle(double new_measure) {
+  // The iterate's stationarity. True when the iterate is the best point: evaluated there, no higher by more than
+  // rounding, and nearer to stationary.
+  bool settle(double new_measure, bool evaluated = true) {
     measure = new_measure;
     ++without_gain;
     if (measure < lowest_measure) {
@@ -118,7 +118,7 @@ struct GradientRun {
       without_gain = 0;
       gained_at = evaluations;
     }
-    if (!(measure < best_measure && value <= best_value + rounding_of(best_value))) return false;
+    if (!evaluated || !(measure < best_measure && value <= best_value + rounding_of(best_value))) return false;
     best_value = value;
     best_measure = measure;
     return true;

@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCPGRD5", "projected_gradient");
+constexpr base::SavedRun<Description> saved_run("OBCPGRD6", "projected_gradient");
 
 }  // namespace
 

@@ -151,7 +151,8 @@ void Solver::accept_trial() {
   double measure = 0;
   for (std::size_t j = 0; j < x_.size(); ++j)
     measure = std::max(measure, std::abs(target_[j] - x_[j]));
-  if (state_.settle(measure)) std::copy(x_.begin(), x_.end(), best_.begin());
+  const bool evaluated = state_.iterate == Iterate::evaluated;
+  if (state_.settle(measure, evaluated)) std::copy(x_.begin(), x_.end(), best_.begin());
   // The rows' multipliers of this projection go into the gradient: it then tends to zero on the free unknowns, and
   // slopes along feasible directions do not drown in the rounding of g'd.
   const std::span<double> change = set_.guess();
@@ -192,7 +193,9 @@ double Solver::measure_in_large() {
 
 Request Solver::begin_iteration() {
   const Stop reason = state_.reason_to_end(options_);
-  if (reason != Stop::running) return state_.finish(reason);
+  if (reason == Stop::converged && state_.iterate == Iterate::interpolated) return verify();
+  if (reason != Stop::running && (reason != Stop::converged || state_.iterate == Iterate::evaluated))
+    return state_.finish(reason);
   if (state_.best_value <= bottomless) return state_.finish(Stop::unbounded);
   const bool dissertation = options_.method == Method::dissertation;
   const bool found = dissertation ? choose_dissertation_direction() : choose_direction();
@@ -258,42 +261,53 @@ void Solver::follow_direction(double length) {
     trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
 }
 
+// Makes the trial the iterate, or the point at the multiple `minimum` of the step to it where that is positive.
+Request Solver::take_step(double minimum) {
+  ++state_.iterations;
+  state_.iterate = Iterate::evaluated;
+  // x and gradient become s and y, and then the new iterate takes their place.
+  for (std::size_t j = 0; j < x_.size(); ++j) {
+    direction_[j] = trial_[j] - x_[j];
+    target_[j] = trial_gradient_[j] - gradient_[j];
+  }
+  const double step_curvature = dot(direction_, target_);
+  if (options_.method == Method::dissertation) {
+    // As printed, s'y <= 0 would make the next step 1e10: take the length of the first step again.
+    state_.curvature = step_curvature > 0 ? std::max(step_curvature / dot(direction_, direction_), 1e-10)
+                                          : std::max(max_magnitude(trial_gradient_), 1e-10);
+  } else {
+    if (minimum > 0) move_trial(minimum, step_curvature);
+    // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. In a
+    // small face too little of y may be left; s'y / s's is the minimum that y'y / s'y can be. The old gradient is not
+    // needed any more.
+    std::copy(target_.begin(), target_.end(), gradient_.begin());
+    if (!set_.custom()) {
+      set_.choose_face(trial_);
+      set_.project_to_face(gradient_);
+    }
+    const double in_face = dot(gradient_, gradient_) / step_curvature;
+    const double sigma = std::max(in_face, step_curvature / dot(direction_, direction_));
+    // Of a quadratic it changes half as fast: it would have to stay the same for conjugate directions in one face.
+    const bool steady = minimum > 0 && !model().empty();
+    model().push(direction_, target_, steady ? std::sqrt(model().sigma() * sigma) : sigma);
+  }
+  accept_trial();
+  return state_.phase == Phase::done ? Request::done : Request::iteration;
+}
+
 Request Solver::take_trial() {
+  if (state_.iterate == Iterate::asked) return take_verification();
   const bool dissertation = options_.method == Method::dissertation;
   Search verdict;
+  double minimum = 0;
   if (dissertation) {
     verdict = state_.backtracking.advance(state_.value, state_.trial_value);
   } else {
     const double slope = std::isfinite(state_.trial_value) ? dot(trial_gradient_, direction_) : state_.trial_value;
-    verdict = state_.wolfe.advance(state_.trial_value, slope);
+    if (!set_.custom()) minimum = length_to_minimum(state_.wolfe.length, slope);
+    verdict = minimum > 0 ? Search::accept : state_.wolfe.advance(state_.trial_value, slope);
   }
-  if (verdict == Search::accept) {
-    ++state_.iterations;
-    // x and gradient become s and y, and then the new iterate takes their place.
-    for (std::size_t j = 0; j < x_.size(); ++j) {
-      direction_[j] = trial_[j] - x_[j];
-      target_[j] = trial_gradient_[j] - gradient_[j];
-    }
-    const double step_curvature = dot(direction_, target_);
-    if (dissertation) {
-      // As printed, s'y <= 0 would make the next step 1e10: take the length of the first step again.
-      state_.curvature = step_curvature > 0 ? std::max(step_curvature / dot(direction_, direction_), 1e-10)
-                                            : std::max(max_magnitude(trial_gradient_), 1e-10);
-    } else {
-      // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. In a
-      // small face too little of y may be left; s'y / s's is the minimum that y'y / s'y can be. The old gradient is not
-      // needed any more.
-      std::copy(target_.begin(), target_.end(), gradient_.begin());
-      if (!set_.custom()) {
-        set_.choose_face(trial_);
-        set_.project_to_face(gradient_);
-      }
-      const double in_face = dot(gradient_, gradient_) / step_curvature;
-      model().push(direction_, target_, std::max(in_face, step_curvature / dot(direction_, direction_)));
-    }
-    accept_trial();
-    return state_.phase == Phase::done ? Request::done : Request::iteration;
-  }
+  if (verdict == Search::accept) return take_step(minimum);
   if (verdict == Search::again) {
     const double length = dissertation ? state_.backtracking.length : state_.wolfe.length;
     follow_direction(length);

@@ -61,10 +61,20 @@ class Solver {
  private:
   using Phase = base::RunPhase;
 
+  // Where value and gradient of the iterate come from.
+  enum class Iterate : std::uint64_t {
+    evaluated,
+    interpolated,   // of a quadratic f (quadratic.cpp)
+    asked,          // interpolated, meets the tolerance, and f is requested there
+    without_value,  // the same, where f turned out to have none
+  };
+
   // All that a run is besides its arrays and its model; saved as bytes, so it holds no pointer and no padding. Its
   // measure is |P(x - g) - x|inf.
   struct State : base::GradientRun<Stop> {
-    std::uint64_t without_memory = 0;       // 1 while the current direction was made with an empty model
+    std::uint64_t without_memory = 0;  // 1 while the current direction was made with an empty model
+    Iterate iterate = Iterate::evaluated;
+    std::uint64_t quadratic = 0;            // searches in a row that agree with a quadratic f, or never (quadratic.cpp)
     double curvature = 0;                   // lambda of eq. 4.13
     double average = 0, average_count = 0;  // C and Q of Zhang and Hager
     base::WolfeSearch wolfe{};
@@ -74,6 +84,12 @@ class Solver {
   Request advance();
   Request begin_iteration();
   Request take_trial();
+  Request take_step(double minimum);
+  double length_to_minimum(double length, double slope);
+  void move_trial(double minimum, double step_curvature);
+  bool trial_is_stationary() const;
+  Request verify();
+  Request take_verification();
   bool choose_direction();
   bool choose_dissertation_direction();
   void accept_trial();

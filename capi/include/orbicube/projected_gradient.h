@@ -7,6 +7,9 @@
  * method of the dissertation, section 4.3.1 (eq. 4.11 to 4.13), with the nonmonotone searches of Grippo, Lampariello, Lucidi 1986
  * or of Zhang and Hager 2004.
  *
+ * A quadratic f is recognized by its values and slopes. FACE then goes on from the minima along its steps without evaluating f there;
+ * a run that ends as CONVERGED has evaluated f at its end.
+ *
  * Every x at which f is evaluated satisfies the bounds exactly and A x = b to rounding.
  *
  * Use. Fill a problem. Then call obc_projected_gradient_minimize with a callback, or create a solver and evaluate f whenever
@@ -78,7 +81,7 @@ enum {
 /* Requests of obc_projected_gradient_step. */
 enum {
   OBC_PROJECTED_GRADIENT_NEED_FG = 1,   /* evaluate f and its gradient at x, then call _tell */
-  OBC_PROJECTED_GRADIENT_ITERATION = 2, /* x is a new iterate; requires no action */
+  OBC_PROJECTED_GRADIENT_ITERATION = 2, /* x is a new iterate, evaluated or interpolated; requires no action */
   OBC_PROJECTED_GRADIENT_DONE = 3       /* the run has ended; see _get_result */
 };
 

@@ -16,7 +16,7 @@ pub const OBC_PROJECTED_GRADIENT_AVERAGE: i32 = 1;
 
 /// evaluate f and its gradient at x, then call \_tell
 pub const OBC_PROJECTED_GRADIENT_NEED_FG: i32 = 1;
-/// x is a new iterate; requires no action
+/// x is a new iterate, evaluated or interpolated; requires no action
 pub const OBC_PROJECTED_GRADIENT_ITERATION: i32 = 2;
 /// the run has ended; see \_get\_result
 pub const OBC_PROJECTED_GRADIENT_DONE: i32 = 3;
