@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, doubles, indices, memory_of, numbers, put, spread, start_of
 from ._call import HOST, Cancelled, Progress, Stop, call, call_init, filled, picked, sized, text, with_options
 from ._checks import public
-from ._scipy import arguments_of, bounds_of, minimized, options_of, outcome, rows_of
+from ._scipy import Differences, Rows, arguments_of, bounds_of, minimized, options_of, outcome
 from ._solver import EvaluationFailed, GradientRun, Result, explain_pair
 from .raw import projected_gradient as raw
 
@@ -165,26 +165,38 @@ def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, 
     return Solver(x0, lower=lower, upper=upper, A=A, b=b, project=project, **options).run(f, progress)
 
 
+_WORDS = {"maxfev": "max_evaluations", "maxfun": "max_evaluations", "maxiter": "max_iterations", "maxcor": "memory",
+          "gtol": "gradient_tolerance", "tol": "gradient_tolerance"}
+
+
 def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] = (), *, jac: Any = None, bounds: Any = None,
                  constraints: Any = (), callback: Any = None, hess: Any = None, hessp: Any = None, disp: bool = False,
-                 **options: Any) -> Any:
-    """scipy.optimize.minimize(fun, x0, jac=..., method=scipy_method): fun with its gradient, within bounds and where the rows of
-    LinearConstraint objects are equations. `tol` is gradient_tolerance, and `options` has those of `minimize` here, also as
-    maxfev, maxfun, maxiter, maxcor and gtol."""
-    if not callable(jac):
-        raise ValueError("jac: a function, or True where fun returns (value, gradient), is needed; "
-                         "trust_region.scipy_method does without derivatives")
+                 differences: str = "2-point", finite_diff_rel_step: Any = None, **options: Any) -> Any:
+    """scipy.optimize.minimize(fun, x0, jac=..., method=scipy_method): fun with its gradient, within bounds and LinearConstraint
+    objects. Without jac, the gradient is by differences within the bounds, which leave the rows; `nfev` counts their evaluations.
+    `tol` is gradient_tolerance, and `options` has those of `minimize` here, also as maxfev, maxfun, maxiter, maxcor and gtol, and
+    `differences`, '2-point' or '3-point', with finite_diff_rel_step."""
     for name, value in (("hess", hess), ("hessp", hessp)):
         if value:
             warnings.warn(f"projected_gradient.scipy_method does not use second derivatives ({name})", RuntimeWarning, stacklevel=3)
-    words = {"maxfev": "max_evaluations", "maxfun": "max_evaluations", "maxiter": "max_iterations", "maxcor": "history",
-             "gtol": "gradient_tolerance", "tol": "gradient_tolerance"}
-    start = start_of(x0, "x0")
-    solver = Solver(start, **bounds_of(bounds, start.size), **rows_of(constraints, start.size),
-                    **options_of(options, "obc_projected_gradient_options", words))
-    solver._asked_name = "fun, jac"
-    rest = arguments_of(args)
-    return minimized(solver, lambda x: (fun(x, *rest), jac(x, *rest)), callback, disp, show=lambda result: outcome(result, True))
+    start, rest = start_of(x0, "x0"), arguments_of(args)
+    n, kind, own_bounds = start.size, Differences.wanted(jac, differences), bounds_of(bounds, start.size)
+    rows, chosen = Rows(constraints, n), options_of(options, "obc_projected_gradient_options", _WORDS)
+    f: Any = lambda x: (fun(x, *rest), jac(x, *rest))  # noqa: E731
+    if kind is not None:
+        f = Differences(lambda x: fun(x, *rest), kind, own_bounds, n, finite_diff_rel_step)
+        chosen.setdefault("gradient_tolerance", f.tolerance)
+        if "max_evaluations" in chosen:  # of fun, as SciPy counts them
+            chosen["max_evaluations"] = max(1, chosen["max_evaluations"] // (1 + n * (1 + f.central)))
+    solver = Solver(rows.start(start), **rows.bounds(own_bounds), **rows.equations, **chosen)
+    solver._asked_name = "fun" if kind is not None else "fun, jac"
+
+    def show(result: Result) -> Any:
+        found = outcome(result)
+        found.update(x=result.x[:n], njev=result.nfev, nfev=result.nfev if kind is None else f.evaluations)
+        return found
+
+    return minimized(solver, rows.widened(f), callback, disp, show=show)
 
 
 class Projection:

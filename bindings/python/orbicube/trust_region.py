@@ -211,16 +211,18 @@ def minimize_residuals(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike,
     return solver.run(residuals, progress)
 
 
-_WORDS = {"maxfev": "max_evaluations", "tol": "radius_end", "rhobeg": "radius_begin", "rhoend": "radius_end"}
+_WORDS = {"maxfev": "max_evaluations", "maxfun": "max_evaluations", "tol": "radius_end", "rhobeg": "radius_begin", "rhoend": "radius_end",
+          "initial_tr_radius": "radius_begin", "final_tr_radius": "radius_end", "f_target": "target"}
 
 
 def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] = (), *, bounds: Any = None, callback: Any = None,
                  constraints: Any = (), jac: Any = None, hess: Any = None, hessp: Any = None, scale: Optional[ArrayLike] = None,
                  maxiter: Optional[int] = None, disp: bool = False, **options: Any) -> Any:
     """scipy.optimize.minimize(fun, x0, method=scipy_method): fun from its values alone within bounds. `tol` is radius_end, and
-    `options` has those of `minimize` here, also as maxfev, rhobeg and rhoend, and `scale` and `maxiter`."""
+    `options` has those of `minimize` here, also as maxfev, maxfun, rhobeg, rhoend, initial_tr_radius, final_tr_radius and f_target, and
+    `scale` and `maxiter`."""
     if constraints is not None and np.size(constraints):
-        raise ValueError("constraints: this method has bounds only; projected_gradient.scipy_method has linear equations")
+        raise ValueError("constraints: this method has bounds only; projected_gradient.scipy_method has linear constraints")
     for name, value in (("jac", jac), ("hess", hess), ("hessp", hessp)):
         if value:
             warnings.warn(f"trust_region.scipy_method does not use derivatives ({name})", RuntimeWarning, stacklevel=3)

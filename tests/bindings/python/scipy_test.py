@@ -52,6 +52,9 @@ class Values(unittest.TestCase):
         both = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, tol=1e-2, options={"rhoend": 1e-10})
         fine = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"radius_end": 1e-10})
         self.assertEqual(both.x.tobytes(), fine.x.tobytes())  # an option counts more than tol
+        cobyqa = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"initial_tr_radius": 0.5, "f_target": 1e-3})
+        own = trust_region.minimize(rosen, [-1.2, 1], radius_begin=0.5, target=1e-3)
+        self.assertEqual((cobyqa.x.tobytes(), cobyqa.message), (own.x.tobytes(), "target reached"))
         with self.assertRaisesRegex(TypeError, "rhoend and radius_end both say radius_end"):
             minimize(rosen, [0, 0], method=trust_region.scipy_method, options={"rhoend": 1e-3, "radius_end": 1e-4})
         with self.assertRaisesRegex(TypeError, "there is no 'ftol'.*maxfev"):
@@ -209,11 +212,82 @@ class Gradients(unittest.TestCase):
                              constraints=constraint, options={"gtol": 1e-10, "maxfun": 100})
             np.testing.assert_allclose(found.x, center - 2 / 3, atol=1e-9)
 
+    def test_inequalities_are_met_and_hold_where_they_must(self):
+        # The nearest point of the half-space x0 + x1 + x2 <= 1, and of a slab that the center is in; both by hand.
+        center = np.array([3.0, 1.0, -1.0])
+        rows = np.ones((1, 3))
+        for matrix in (rows, scipy.sparse.csr_matrix(rows)):
+            found = minimize(bowl, np.zeros(3), args=(center,), jac=bowl_der, method=projected_gradient.scipy_method,
+                             constraints=[LinearConstraint(matrix, -np.inf, 1), LinearConstraint([[0, 1, -1]], -5, 5)])
+            self.assertTrue(found.success)
+            np.testing.assert_allclose(found.x, center - 2 / 3, atol=1e-7)
+            inside = minimize(bowl, np.zeros(3), args=(center,), jac=bowl_der, method=projected_gradient.scipy_method,
+                              constraints=LinearConstraint(matrix, 0, 4))
+            np.testing.assert_allclose(inside.x, center, atol=1e-7)
+
+    def test_linear_programs_of_hock_and_schittkowski(self):
+        def hs24(x):
+            return ((x[0] - 3) ** 2 - 9) * x[1] ** 3 / (27 * np.sqrt(3))
+
+        def hs24_der(x):
+            scale = 1 / (27 * np.sqrt(3))
+            return scale * np.array([2 * (x[0] - 3) * x[1] ** 3, 3 * ((x[0] - 3) ** 2 - 9) * x[1] ** 2])
+
+        root = np.sqrt(3)
+        seen = []
+        found = minimize(hs24, [1, 0.5], jac=hs24_der, method=projected_gradient.scipy_method, bounds=[(0, None)] * 2,
+                         constraints=LinearConstraint([[1 / root, -1], [1, root], [-1, -root]], [0, 0, -6], np.inf),
+                         callback=lambda x: seen.append(x.size))
+        np.testing.assert_allclose(found.x, [3, root], atol=1e-6)
+        self.assertAlmostEqual(found.fun, -1, places=10)
+        self.assertEqual(set(seen), {2})  # without slacks
+
+        def hs76(x):
+            return x[0] ** 2 + 0.5 * x[1] ** 2 + x[2] ** 2 + 0.5 * x[3] ** 2 - x[0] * x[2] + x[2] * x[3] - x[0] - 3 * x[1] + x[2] - x[3]
+
+        rows = LinearConstraint([[1, 2, 1, 1], [3, 1, 2, -1], [0, 1, 4, 0]], [-np.inf, -np.inf, 1.5], [5, 4, np.inf])
+        for kind in ("2-point", "3-point"):
+            found = minimize(hs76, np.full(4, 0.5), method=projected_gradient.scipy_method, bounds=[(0, None)] * 4, constraints=rows,
+                             options={"differences": kind})
+            self.assertTrue(found.success)
+            self.assertAlmostEqual(found.fun, -4.681818181, places=7)
+
+    def test_differences_stay_within_the_bounds_and_are_counted(self):
+        called = []
+
+        def f(x):
+            called.append(x.copy())
+            return rosen(x)
+
+        lower, upper = np.array([-2.0, -1.0, 0.3]), np.array([0.5, 1e-9 - 1.0, 0.3])  # one narrow, one empty interval
+        counts = []
+        for kind in ("2-point", "3-point"):
+            called.clear()
+            found = minimize(f, [0.2, -1, 0.3], method=projected_gradient.scipy_method, bounds=Bounds(lower, upper),
+                             options={"differences": kind})
+            self.assertEqual(found.nfev, len(called))
+            counts.append(found.nfev / found.njev)
+            self.assertTrue(all(np.all(x >= lower) and np.all(x <= upper) for x in called))
+            exact = minimize(rosen, [0.2, -1, 0.3], jac=rosen_der, method=projected_gradient.scipy_method,
+                             bounds=Bounds(lower, upper))
+            np.testing.assert_allclose(found.x, exact.x, atol=1e-5)
+        self.assertLess(counts[0], counts[1])
+        self.assertEqual(projected_gradient.scipy_method(rosen, [0.2, -1, 0.3], jac="3-point", bounds=Bounds(lower, upper)).nfev, found.nfev)
+        limited = minimize(rosen, [-1.2, 1], method=projected_gradient.scipy_method, options={"maxfun": 30})
+        self.assertLessEqual(limited.nfev, 30)
+        self.assertEqual(limited.message, "evaluation budget")
+
+    def test_words_for_the_memory_and_the_tolerance(self):
+        start = np.linspace(-1, 1, 60)
+        own = projected_gradient.minimize(lambda x: (rosen(x), rosen_der(x)), start, memory=4, gradient_tolerance=1e-6)
+        found = minimize(rosen, start, jac=rosen_der, method=projected_gradient.scipy_method, options={"maxcor": 4, "gtol": 1e-6})
+        self.assertEqual((found.x.tobytes(), found.nfev), (own.x.tobytes(), own.nfev))
+
     def test_refusals(self):
-        with self.assertRaisesRegex(ValueError, "jac: a function.*trust_region.scipy_method"):
-            minimize(rosen, [0, 0], method=projected_gradient.scipy_method)
-        with self.assertRaisesRegex(ValueError, r"constraints\[0\]: lb\[0\] = 0.0 and ub\[0\] = 1.0 differ"):
-            minimize(rosen, [0, 0], jac=rosen_der, method=projected_gradient.scipy_method, constraints=LinearConstraint([[1, 1]], 0, 1))
+        with self.assertRaisesRegex(ValueError, "jac: a function.*'3-point' is needed, not 'cs'"):
+            projected_gradient.scipy_method(rosen, [0, 0], jac="cs")
+        with self.assertRaisesRegex(ValueError, r"constraints\[0\]: lb\[0\] = 2.0 is not below ub\[0\] = 1.0"):
+            minimize(rosen, [0, 0], jac=rosen_der, method=projected_gradient.scipy_method, constraints=LinearConstraint([[1, 1]], 2, 1))
         with self.assertRaisesRegex(TypeError, "LinearConstraint is needed"):
             minimize(rosen, [0, 0], jac=rosen_der, method=projected_gradient.scipy_method,
                      constraints=NonlinearConstraint(rosen, 0, 0))
