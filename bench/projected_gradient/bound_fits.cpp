@@ -90,11 +90,13 @@ struct Fit {
   std::size_t powers;  // terms
   bool chebyshev;
   Tail tail;
+  vector<double> start = {};  // ones where it is empty
 };
 
 BoundProblem make_palmer(const Fit& fit) {
   const std::size_t n = fit.powers + (fit.tail == Tail::scaled_quotient ? 3 : 2);
-  vector<double> start(n, 1.0), lower(n, -infinity);
+  const vector<double> start = fit.start.empty() ? vector<double>(n, 1.0) : fit.start;
+  vector<double> lower(n, -infinity);
   if (fit.tail == Tail::bell) {
     lower[n - 1] = 0;
   } else {
@@ -129,11 +131,53 @@ void add_palmer(std::vector<BoundProblemMaker>& list) {
       {"PALMER2E", 2.0650379e-4, &cyanate_23, 0, 6, false, Tail::bell},
       {"PALMER5A", unknown, &selenide_12, 0, 6, true, Tail::quotient},
       {"PALMER5B", 9.7524231e-3, &selenide_12, 0, 7, false, Tail::quotient},
+      {"PALMER5E", unknown, &selenide_12, 0, 6, true, Tail::bell,
+       {19.264, -1.7302, 40.794, 0.83021, 3.7090, -0.17723, 1, 10}},
       {"PALMER7A", 1.0334910e1, &selenide_13, 0, 4, false, Tail::quotient},
       {"PALMER7E", 1.0153900e1, &selenide_13, 0, 6, false, Tail::bell},
   };
   for (const Fit& fit : fits)
     list.push_back([&fit] { return make_palmer(fit); });
+}
+
+// A model with a pole, fitted to a value, a slope and a second derivative.
+Dual pole(const Duals& x, const double* data) {
+  const Dual &a = x[0], &r = x[1], &h = x[2];
+  const Dual logarithm = log(1.0 + h);
+  const Dual linear = a * r * h, quadratic = a * (a + 1.0) * r * h * h;
+  const Dual value = r * (1.0 - exp(-a * logarithm)), slope = linear * (1.0 - exp(-(a + 1.0) * logarithm));
+  const Dual second = quadratic * (1.0 - exp(-(a + 2.0) * logarithm));
+  return square(linear - 0.5 * quadratic - value - data[0]) + square(slope - quadratic - data[1]) +
+         square(-second - data[2]);
+}
+
+void add_poles(std::vector<BoundProblemMaker>& list) {
+  static const double data[4][3] = {{-8, -18.66666666, -23.11111111},
+                                    {-26.66666666, -60.44444444, -71.11111111},
+                                    {-56.88888888, -126.2222222, -143.4074074},
+                                    {-98.96296296, -216.0987654, -239.6707818}};
+  for (int k = 0; k < 4; ++k) {
+    list.push_back([k] {
+      return dual_problem("PFIT" + std::to_string(k + 1) + "LS", {1, 0, 1}, {-infinity, -infinity, -0.5},
+                          vector(3, infinity), 0, [k](const Duals& x) { return pole(x, data[k]); });
+    });
+  }
+}
+
+// Rheinboldt's semiconductor: potentials at inner nodes and both ends, by differences, as least squares.
+Dual semiconductor(const Duals& u) {
+  constexpr double length = 1e-4, beta = 40, low = 0, high = 700;
+  const std::size_t nodes = u.size() - 2, negative = nodes * 9 / 10;
+  const double step = length / static_cast<double>(nodes + 1);
+  const double few = 1e12 * step * step, many = 1e13 * step * step;
+  Dual sum;
+  for (std::size_t i = 1; i <= nodes; ++i) {
+    Dual r = u[i - 1] - 2.0 * u[i] + u[i + 1] - (i <= negative ? few : -many);
+    r += few * exp(-beta * (u[i] - low));
+    r = r - many * exp(beta * (u[i] - high));
+    sum += square(r);
+  }
+  return sum;
 }
 
 Dual weeds(const Duals& b) {
@@ -180,6 +224,16 @@ Dual exponentials(const Duals& x) {
 
 void add_fits(std::vector<BoundProblemMaker>& list) {
   add_palmer(list);
+  add_poles(list);
+  list.push_back([] {
+    vector<double> start(12, 0.0), lower(12, -5.0), upper(12, 705.0);
+    lower[0] = upper[0] = 0;
+    start[11] = lower[11] = upper[11] = 700;
+    BoundProblem p = dual_problem("SCOND1LS", start, lower, upper, 0, semiconductor);
+    // Curvatures of 1e9 at potentials of 700, which are rounded by 1e-13.
+    p.tolerance = 1e-3;
+    return p;
+  });
   list.push_back([] {
     return dual_problem("WEEDS", {1, 1, 1}, vector(3, -infinity), {infinity, infinity, 3}, unknown, weeds);
   });
