@@ -19,7 +19,7 @@ constexpr std::uint64_t enough_trials = 2;
 constexpr double agreement = 1e-9, contradiction = 1e-6;
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 // Of |f|: smaller slopes are lost in the rounding of f, and say nothing for or against.
-constexpr double resolved = 1e-6, rounding = 1e-14;
+constexpr double resolved_slope = 1e-6, value_rounding = 1e-14;
 // Of the trial's length: beyond them, the minimum is left to the search.
 constexpr double shortest = 0.05, longest = 3;
 // Of the values that an interpolated one is computed from: a smaller one would be their rounding.
@@ -35,9 +35,9 @@ double Solver::length_to_minimum(double length, double slope) {
   const double start = length * state_.wolfe.start_slope, end = length * slope;
   const double size = std::abs(start) + std::abs(end), scale = std::abs(state_.value);
   if (state_.quadratic == never || !std::isfinite(state_.trial_value) || !std::isfinite(slope)) return 0;
-  if (size > resolved * scale) {
+  if (size > resolved_slope * scale) {
     const double error = std::abs(state_.trial_value - state_.value - 0.5 * (start + end));
-    const bool agrees = error <= agreement * size + rounding * scale;
+    const bool agrees = error <= agreement * size + value_rounding * scale;
     const bool first = state_.wolfe.trials == 0;  // further ones speak of the same line
     if (!agrees)
       state_.quadratic = error > contradiction * size ? never : 0;
