@@ -12,8 +12,9 @@ root_doc = "index"  # the gallery, then what there is to read
 myst_heading_anchors = 4
 html_theme = "alabaster"
 html_theme_options = {"description": "maps of shapes to spheres and polycubes, and the solvers underneath", "fixed_sidebar": True,
-                      "page_width": "72em", "body_max_width": "none", "show_powered_by": False}
-html_sidebars = {"**": ["about.html", "navigation.html", "searchbox.html"]}
+                      "page_width": "min(72em, 100%)", "body_max_width": "none", "show_powered_by": False}
+html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_static_path = ["site"]  # custom.css, which the theme names
 html_copy_source = False
 html_show_sphinx = False
 
