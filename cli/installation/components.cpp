@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "gltf/json/compressed_view.h"
 #include "images/inflate.h"
 #include "session/program.h"
 #include "sphere_map/sampling/png_file.h"
@@ -37,6 +38,12 @@ std::string json_version() {
 std::optional<std::string> version_of_libspng() {
   const char* version = sphere_map::version_of_spng();
   return version != nullptr ? std::optional<std::string>(version) : std::nullopt;
+}
+
+std::optional<std::string> version_of_meshoptimizer() {
+  const int version = gltf::version_of_meshoptimizer();
+  if (version == 0) return std::nullopt;
+  return std::to_string(version / 1000) + "." + std::to_string(version / 10 % 100);
 }
 
 std::optional<std::string> version_of_cholmod() {
@@ -80,6 +87,9 @@ std::vector<Component> components() {
               "those that are compressed are refused", "zlib1g-dev, and build again with -Dzlib=enabled"),
       library("libspng", version_of_libspng(), "compressed PNG files: geometry images, atlases, plots",
               "PNG files have the same pixels without compression", "libspng-dev, and build again with -Dspng=enabled"),
+      library("meshoptimizer", version_of_meshoptimizer(), "glTF files with EXT_meshopt_compression",
+              "those that are compressed are refused",
+              "libmeshoptimizer-dev, and build again with -Dmeshoptimizer=enabled"),
       library("stb_image", "", "textures of glTF files", "", ""),
       library("tinygltf", "", "glTF and GLB files", "", ""),
       library("nlohmann-json", json_version(), "reports", "", ""),

@@ -85,7 +85,7 @@ class Orbicube(ConanFile):
     def generate(self):
         toolchain = MesonToolchain(self)
         toolchain.project_options |= {"libraries": self._libraries(), "cli": "disabled", "tests": False, "examples": False, "tetgen": "disabled",
-                                      "cholmod": "disabled"}
+                                      "cholmod": "disabled", "meshoptimizer": "disabled"}
         toolchain.generate()
         PkgConfigDeps(self).generate()
 

@@ -69,7 +69,8 @@ class Doctor(InFolder):
         figures = self.figures()
         with open(COMMAND, "rb") as file:
             program = file.read()
-        for name, soname in (("CHOLMOD", b"libcholmod.so"), ("TetGen", b"libtet.so"), ("zlib", b"libz.so"), ("libspng", b"libspng.so")):
+        for name, soname in (("CHOLMOD", b"libcholmod.so"), ("TetGen", b"libtet.so"), ("zlib", b"libz.so"), ("libspng", b"libspng.so"),
+                             ("meshoptimizer", b"libmeshoptimizer.so")):
             component = next(c for c in figures["components"] if c["name"] == name)
             self.assertTrue(component["found"] or soname not in program, name)
 

@@ -2,8 +2,8 @@
  * for reading, in files of the same folder.
  *
  * Reading returns one triangle mesh in world coordinates, as doubles: all triangles, strips and fans of all meshes of the scene. Strided,
- * sparse and quantized accessors (KHR_mesh_quantization) are supported; points and lines are left out; Draco and meshopt compression
- * are refused. Materials, textures, texture coordinates, colors, nodes, skins, animations and extras are left out, or kept beside the
+ * sparse and quantized accessors (KHR_mesh_quantization) are supported, EXT_meshopt_compression in builds with meshoptimizer; points and
+ * lines are left out; Draco compression is refused. Materials, textures, texture coordinates, colors, nodes, skins, animations and extras are left out, or kept beside the
  * surface (option `keep`) for the file of another shape of it. Each index and each range is checked before use, no file outside the folder of the input is opened,
  * and memory is bounded by a multiple of the file size.
  *

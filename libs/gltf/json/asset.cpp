@@ -6,6 +6,7 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "base/files/base64.h"
+#include "gltf/json/compressed_view.h"
 #include "gltf/json/structure.h"
 #include "gltf/json/uri.h"
 
@@ -51,6 +52,8 @@ Asset::Asset(std::span<const std::byte> bytes, std::optional<std::filesystem::pa
       json_(container_.json, host),
       model_(read_model(checked(json_), extent, host, problem_)),
       buffers_(host.memory),
+      compressed_views_(host.memory),
+      decompressed_(host.memory),
       opened_(host.memory),
       decoded_(host.memory),
       external_files_(host.memory),
@@ -58,6 +61,24 @@ Asset::Asset(std::span<const std::byte> bytes, std::optional<std::filesystem::pa
       quantized_(uses_extension(model_, "KHR_mesh_quantization")) {
   if (const JsonValue buffers = root().member("buffers"))
     buffers.for_each_element([&](JsonValue each) { buffers_.push_back(each); });
+  if (version_of_meshoptimizer() != 0 && uses_extension(model_, compression_extension)) find_compressed_views();
+}
+
+void Asset::find_compressed_views() {
+  if (const JsonValue views = root().member("bufferViews")) {
+    std::size_t i = 0;
+    views.for_each_element([&](JsonValue view) {
+      const JsonValue extensions = view.member("extensions");
+      if (const JsonValue extension = extensions ? extensions.member(compression_extension) : JsonValue())
+        compressed_views_.emplace(i, extension);
+      ++i;
+    });
+  }
+  // The validator of Khronos has the same error: what is required is used.
+  if (std::erase(model_.extensionsRequired, compression_extension) > 0 && compressed_views_.empty())
+    throw base::Error("unsupported-extension",
+                      std::string("the file requires ") + compression_extension + ", but no buffer view has it");
+  std::erase(model_.extensionsUsed, compression_extension);
 }
 
 const tiny::Accessor& Asset::accessor(int index, const std::string& where) const {
@@ -71,18 +92,43 @@ BufferView Asset::view(int index, const std::string& where) {
                                    std::to_string(model_.bufferViews.size()));
   }
   const tiny::BufferView& view = model_.bufferViews[static_cast<std::size_t>(index)];
-  const std::string place = place_of("bufferViews", static_cast<std::size_t>(index));
-  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= buffers_.size()) {
-    throw base::Error("parse", place + ".buffer is " + std::to_string(view.buffer) + ", but there are " +
-                                   base::counted(buffers_.size(), "buffer"));
+  const auto compressed = compressed_views_.find(static_cast<std::size_t>(index));
+  if (compressed != compressed_views_.end()) return decompressed(static_cast<std::size_t>(index), compressed->second);
+  // An index that is not given is -1, which is beyond the buffers as well.
+  return {part_of_buffer(static_cast<std::uint64_t>(std::int64_t{view.buffer}), view.byteOffset, view.byteLength,
+                         place_of("bufferViews", static_cast<std::size_t>(index))),
+          view.byteStride};
+}
+
+BufferView Asset::decompressed(std::size_t index, JsonValue extension) {
+  const tiny::BufferView& view = model_.bufferViews[index];
+  auto found = decompressed_.find(index);
+  if (found == decompressed_.end()) {
+    const Compression compression = compression_of(extension, view.byteLength);
+    const std::span<const std::byte> bytes =
+        part_of_buffer(compression.buffer, compression.byte_offset, compression.byte_length, extension.path());
+    decompressed_bytes_ += view.byteLength;
+    if (decompressed_bytes_ / max_expansion > stored_bytes_ - (decompressed_bytes_ - view.byteLength))
+      throw base::Error("unsupported", extension.path() + " repeats compressed bytes of other views");
+    found = decompressed_.emplace(index, decoded_view(compression, bytes, host_)).first;
+    stored_bytes_ += view.byteLength;
   }
-  const std::span<const std::byte> whole = buffer(static_cast<std::size_t>(view.buffer));
-  if (view.byteOffset > whole.size() || view.byteLength > whole.size() - view.byteOffset) {
-    throw base::Error("accessor-range", place + " needs " + base::counted(view.byteLength, "byte") + " from " +
-                                            std::to_string(view.byteOffset) + ", its buffer has " +
+  return {found->second, view.byteStride};
+}
+
+std::span<const std::byte> Asset::part_of_buffer(std::uint64_t index, std::uint64_t offset, std::uint64_t length,
+                                                 const std::string& where) {
+  if (index >= buffers_.size()) {
+    throw base::Error("parse", where + ".buffer is " + std::to_string(static_cast<std::int64_t>(index)) +
+                                   ", but there are " + base::counted(buffers_.size(), "buffer"));
+  }
+  const std::span<const std::byte> whole = buffer(static_cast<std::size_t>(index));
+  if (offset > whole.size() || length > whole.size() - offset) {
+    throw base::Error("accessor-range", where + " needs " + base::counted(length, "byte") + " from " +
+                                            std::to_string(offset) + ", its buffer has " +
                                             std::to_string(whole.size()));
   }
-  return {whole.subspan(view.byteOffset, view.byteLength), view.byteStride};
+  return whole.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 
 std::span<const std::byte> Asset::buffer(std::size_t index) {

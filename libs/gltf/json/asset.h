@@ -30,7 +30,8 @@ class Asset {
  public:
   // `folder` is where external buffers lie; without it they are refused. `bytes` must outlive the asset. With
   // Extent::everything, a document of which tinygltf refuses what is not of its surface is read without that
-  // (problem()). Throws Error of the kinds of open_container, JsonDocument, check_structure and model_of.
+  // (problem()). Throws Error of the kinds of open_container, JsonDocument, check_structure and model_of, and
+  // "unsupported-extension" where EXT_meshopt_compression is required and no view has it.
   Asset(std::span<const std::byte> bytes, std::optional<std::filesystem::path> folder, Extent extent,
         const base::Host& host);
 
@@ -47,20 +48,27 @@ class Asset {
   const tiny::Accessor& accessor(int index, const std::string& where) const;
 
   // The bytes of a buffer view of the model; `where` is what refers to it. Buffers are decoded or read when the first
-  // view of them is requested. Throws Error: "parse" for an index beyond its array; "accessor-range" for a view that
-  // does not fit its buffer; "truncated" for a buffer with fewer bytes than it declares; the kinds of uri.h and
-  // base64.h.
+  // view of them is requested, and so are compressed views (compressed_view.h), which the model does not mention.
+  // Throws Error: "parse" for an index beyond its array; "accessor-range" for a view that does not fit its buffer;
+  // "truncated" for a buffer with fewer bytes than it declares; "unsupported" for compressed views that repeat bytes;
+  // the kinds of compressed_view.h, uri.h and base64.h.
   BufferView view(int index, const std::string& where);
 
   // The bytes of an image's or a buffer's URI: base64 in it, or a file of the folder. Live as long as the asset.
   std::span<const std::byte> bytes_of_uri(std::string_view uri, const std::string& where);
 
-  // Bytes of the file and of every buffer read so far: what counts in the file are measured against.
+  // Bytes of the file and of every buffer read and every view decompressed so far: what counts in the file are measured
+  // against.
   std::uint64_t stored_bytes() const { return stored_bytes_; }
 
   const base::Host& host() const { return host_; }
 
  private:
+  void find_compressed_views();
+  BufferView decompressed(std::size_t index, JsonValue extension);
+  // The bytes that `where` has in a buffer.
+  std::span<const std::byte> part_of_buffer(std::uint64_t index, std::uint64_t offset, std::uint64_t length,
+                                            const std::string& where);
   std::span<const std::byte> buffer(std::size_t index);
   std::span<const std::byte> load(std::size_t index);
 
@@ -71,6 +79,9 @@ class Asset {
   std::string problem_;  // before the model, with which it is set
   tiny::Model model_;
   base::Array<JsonValue> buffers_;
+  std::pmr::map<std::size_t, JsonValue> compressed_views_;           // the extensions, by view
+  std::pmr::map<std::size_t, base::Array<std::byte>> decompressed_;  // by view
+  std::uint64_t decompressed_bytes_ = 0;
   std::pmr::map<std::size_t, std::span<const std::byte>> opened_;      // buffers by index
   std::pmr::list<base::Array<std::byte>> decoded_;                     // of data URIs
   std::pmr::map<std::string, base::Array<std::byte>> external_files_;  // by name; several buffers may share one

@@ -10,6 +10,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
+#include "gltf/json/compressed_view.h"
 #include "gltf/json/uri.h"
 
 namespace orbicube::gltf {
@@ -168,6 +169,7 @@ bool is_known_extension(std::string_view name) {
       "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
       "KHR_lights_punctual",   "KHR_animation_pointer", "KHR_xmp_json_ld",
       "EXT_texture_webp",      "EXT_texture_avif",      "MSFT_texture_dds"};
+  if (name == compression_extension) return version_of_meshoptimizer() != 0;
   return name.starts_with("KHR_materials_") || std::find(known.begin(), known.end(), name) != known.end();
 }
 

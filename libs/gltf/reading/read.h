@@ -4,7 +4,7 @@
 // Read are triangles, strips and fans with or without indices of any size, strided, sparse and quantised accessors
 // (KHR_mesh_quantization), node transforms and the weights that morph targets have by default. Points, lines and nodes
 // of scale 0 are left out; normals, materials, skins and the like can be kept beside the surface (kept.h), else a note
-// counts them. Draco and meshopt compression are refused. Source: the glTF 2.0 specification (Khronos, 2021).
+// counts them. Draco compression is refused. Source: the glTF 2.0 specification (Khronos, 2021).
 #pragma once
 
 #include <cstddef>
