@@ -99,7 +99,7 @@ void run_nlopt_until_solved(const BoundProblem& problem, std::size_t limit) {
 int main(int count, char** arguments) {
   const char* solvers = count > 1 ? arguments[1] : "all";
   const char* part = count > 2 ? arguments[2] : "";
-  const std::size_t limit = count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 20000;
+  const std::size_t limit = count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 50000;
   const auto memory = static_cast<std::uint32_t>(count > 4 ? std::strtoul(arguments[4], nullptr, 10) : 0);
   for (std::size_t index = 0; index < bound_problem_count(); ++index) {
     const BoundProblem problem = make_bound_problem(index);

@@ -18,7 +18,7 @@ import scipy.optimize
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from programs import load_problems, pointer  # noqa: E402
 
-LIMIT = 20000
+LIMIT = 50000
 
 
 class Solved(Exception):

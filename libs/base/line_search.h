@@ -29,6 +29,7 @@ struct WolfeSearch {
   std::uint64_t unresolved;                       // trials that rounding of f does not tell from the start
   double contradicted_length, contradicted_rise;  // of the last contradiction
   std::uint64_t noisy;  // 1: f rises by as much at shorter lengths, which its slopes do not show
+  double noise = 0;     // of f, as earlier searches saw it, which start() keeps: f may end this much higher
 
   // `lowest` is the minimum value so far; the first trial is at length 1.
   void start(double value, double lowest, double slope, double longest_length);
@@ -38,6 +39,7 @@ struct WolfeSearch {
  private:
   void count_doubts(double value, double slope);
   bool hopeless() const;
+  bool leave_false_bracket(double slope);
 };
 
 struct BacktrackingSearch {

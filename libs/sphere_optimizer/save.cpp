@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t count, dimension;
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCSPHR5", "sphere_optimizer");
+constexpr base::SavedRun<Description> saved_run("OBCSPHR6", "sphere_optimizer");
 
 }  // namespace
 
