@@ -70,7 +70,7 @@ void Solver::move_trial(double minimum, double step_curvature) {
   state_.iterate = Iterate::interpolated;
 }
 
-// Whether the trial ends the run as it is. With rows only its iteration tells.
+// Whether the trial ends the run as it is. With rows, its iteration finds out.
 bool Solver::trial_is_stationary() const {
   if (!set_.box()) return false;
   double measure = 0;
