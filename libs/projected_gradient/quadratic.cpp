@@ -19,13 +19,13 @@ constexpr std::uint64_t enough_trials = 2;
 constexpr double agreement = 1e-9, contradiction = 1e-6;
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 // Of |f|: smaller slopes are lost in the rounding of f, and say nothing for or against.
-constexpr double resolved_slope = 1e-6, value_rounding = 1e-14;
+constexpr double visible_slopes = 1e-6, value_rounding = 1e-14;
 // Of the trial's length: beyond them, the minimum is left to the search.
-constexpr double shortest = 0.05, longest = 3;
+constexpr double shortest_minimum = 0.05, longest_minimum = 3;
 // Of the values that an interpolated one is computed from: a smaller one would be their rounding.
 constexpr double smallest_value = 1e-3;
 // A trial within this part of its length from the minimum is as good.
-constexpr double near = 1e-3;
+constexpr double near_enough = 1e-3;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ double Solver::length_to_minimum(double length, double slope) {
   const double start = length * state_.wolfe.start_slope, end = length * slope;
   const double size = std::abs(start) + std::abs(end), scale = std::abs(state_.value);
   if (state_.quadratic == never || !std::isfinite(state_.trial_value) || !std::isfinite(slope)) return 0;
-  if (size > resolved_slope * scale) {
+  if (size > visible_slopes * scale) {
     const double error = std::abs(state_.trial_value - state_.value - 0.5 * (start + end));
     const bool agrees = error <= agreement * size + value_rounding * scale;
     const bool first = state_.wolfe.trials == 0;  // further ones speak of the same line
@@ -51,13 +51,13 @@ double Solver::length_to_minimum(double length, double slope) {
   if (minimum < 1 && room <= 1) return 0;
   const double value = state_.value + minimum * (start + 0.5 * minimum * (end - start));
   if (std::abs(value) < smallest_value * std::max(scale, std::abs(state_.trial_value))) return 0;
-  return minimum > shortest && minimum < longest ? minimum : 0;
+  return minimum > shortest_minimum && minimum < longest_minimum ? minimum : 0;
 }
 
 // Moves the trial along the step direction_, along which the gradient changes by target_, to the multiple `minimum` of
 // it.
 void Solver::move_trial(double minimum, double step_curvature) {
-  if (std::abs(minimum - 1) <= near || trial_is_stationary()) return;
+  if (std::abs(minimum - 1) <= near_enough || trial_is_stationary()) return;
   state_.trial_value = state_.value + minimum * dot(gradient_, direction_) + 0.5 * minimum * minimum * step_curvature;
   for (std::size_t j = 0; j < x_.size(); ++j) {
     trial_[j] = clip(x_[j] + minimum * direction_[j], set_.lower()[j], set_.upper()[j]);
@@ -70,7 +70,7 @@ void Solver::move_trial(double minimum, double step_curvature) {
   state_.iterate = Iterate::interpolated;
 }
 
-// Whether the trial ends the run as it is. With rows, its iteration finds out.
+// Whether the trial ends the run as it is. With rows, that takes a projection.
 bool Solver::trial_is_stationary() const {
   if (!set_.box()) return false;
   double measure = 0;
