@@ -116,7 +116,7 @@ TEST_CASE("Noise of f does not end a run early where the gradient is right") {
   constexpr double noise = 5e-12;
   std::mt19937 random(5);
   double orders = 0;
-  std::size_t runs = 0;
+  std::size_t runs = 0, converged = 0;
   for (int k = 0; k < 40; ++k) {
     std::vector<double> start(10), unused(10);
     for (double& x : start)
@@ -131,6 +131,7 @@ TEST_CASE("Noise of f does not end a run early where the gradient is right") {
     options.gradient_tolerance = 1e-7;
     const Run end = run(c, options);
     CHECK(end.result.evaluations < 600);
+    converged += end.result.stop == Stop::converged ? 1 : 0;
     const double above = rosenbrock(end.x, unused);
     CHECK((above < 1e-11 || std::abs(above - 3.98658) < 1e-5));  // the two minima
     if (above < 1) {
@@ -139,8 +140,10 @@ TEST_CASE("Noise of f does not end a run early where the gradient is right") {
     }
   }
   CHECK(runs >= 25);
+  // Where the noise that a search sees does not let f end higher, 22 runs of 40 stall.
+  CHECK(converged == 40);
   // Slopes resolve f far below its noise. By searches that stop as soon as values contradict slopes the mean is -15.0.
-  CHECK(orders / static_cast<double>(runs) < -15.5);
+  CHECK(orders / static_cast<double>(runs) < -17.5);
 }
 
 TEST_CASE("A gradient of the wrong sign is given up within some tens of evaluations, by every method") {
