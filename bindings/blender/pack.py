@@ -8,6 +8,7 @@
 import argparse
 import glob
 import os
+import re
 import sys
 import zipfile
 
@@ -29,7 +30,7 @@ def add_wheel(archive, wheel, under):
     with zipfile.ZipFile(wheel) as packed:
         for name in packed.namelist():
             # The wheel holds folders of Python's (NAME.data/purelib/...), or what belongs there at its top.
-            inside = name.split(".data/purelib/", 1)[-1] if ".data/" in name else name
+            inside = re.sub(r"^[^/]*\.data/(purelib|platlib)/", "", name)
             if not name.endswith("/") and inside.startswith(("orbicube/", ".orbicube.mesonpy.libs/")):
                 archive.writestr(os.path.join(under, inside), packed.read(name))
 
