@@ -14,6 +14,13 @@ namespace orbicube::gltf {
 
 namespace {
 
+// Known when this is compiled, so that modules without meshoptimizer have no code for it.
+#ifdef ORBICUBE_WITH_MESHOPTIMIZER
+constexpr bool reads_compressed_views = true;
+#else
+constexpr bool reads_compressed_views = false;
+#endif
+
 bool uses_extension(const tiny::Model& model, std::string_view name) {
   return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), name) != model.extensionsUsed.end();
 }
@@ -61,7 +68,7 @@ Asset::Asset(std::span<const std::byte> bytes, std::optional<std::filesystem::pa
       quantized_(uses_extension(model_, "KHR_mesh_quantization")) {
   if (const JsonValue buffers = root().member("buffers"))
     buffers.for_each_element([&](JsonValue each) { buffers_.push_back(each); });
-  if (version_of_meshoptimizer() != 0 && uses_extension(model_, compression_extension)) find_compressed_views();
+  if (reads_compressed_views && uses_extension(model_, compression_extension)) find_compressed_views();
 }
 
 void Asset::find_compressed_views() {
@@ -92,8 +99,10 @@ BufferView Asset::view(int index, const std::string& where) {
                                    std::to_string(model_.bufferViews.size()));
   }
   const tiny::BufferView& view = model_.bufferViews[static_cast<std::size_t>(index)];
-  const auto compressed = compressed_views_.find(static_cast<std::size_t>(index));
-  if (compressed != compressed_views_.end()) return decompressed(static_cast<std::size_t>(index), compressed->second);
+  if constexpr (reads_compressed_views) {
+    const auto compressed = compressed_views_.find(static_cast<std::size_t>(index));
+    if (compressed != compressed_views_.end()) return decompressed(static_cast<std::size_t>(index), compressed->second);
+  }
   // An index that is not given is -1, which is beyond the buffers as well.
   return {part_of_buffer(static_cast<std::uint64_t>(std::int64_t{view.buffer}), view.byteOffset, view.byteLength,
                          place_of("bufferViews", static_cast<std::size_t>(index))),
