@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -203,7 +204,7 @@ TEST_CASE("What was done to orient a surface is said in sentences, of one triang
   using Notes = std::vector<std::string>;
   CHECK(orient(s.positions, s.triangles, base::Host()).notes() ==
         Notes{"1 triangle was reversed to agree with its neighbors"});
-  for (const std::size_t kept : {0, 1}) {
+  for (const std::size_t kept : std::array<std::size_t, 2>{0, 1}) {
     s = octahedron();
     for (std::size_t t = kept; t < s.triangles.size(); ++t)
       std::swap(s.triangles[t][0], s.triangles[t][1]);

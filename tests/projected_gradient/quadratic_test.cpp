@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "runs.h"
 
@@ -49,7 +50,7 @@ TEST_CASE("A quadratic takes as many evaluations as conjugate gradients do, and 
   // Exact steps of conjugate gradients end after as many as there are different curvatures. Two searches before, of
   // which the first may take two trials.
   constexpr std::uint64_t to_be_known = 4, last = 1;
-  for (const std::size_t groups : {2, 4, 6}) {
+  for (const std::size_t groups : std::array<std::size_t, 3>{2, 4, 6}) {
     CAPTURE(groups);
     const Run end = run(grouped_squares(300, groups));
     CHECK(end.result.stop == Stop::converged);
@@ -75,7 +76,7 @@ TEST_CASE("A run of a quadratic ends at a point where f was evaluated, with the 
 
 TEST_CASE("A function that is quadratic around its start only ends at its minimum") {
   for (const double weight : {0.1, 10.0, 1000.0, 100000.0}) {
-    for (const std::size_t n : {5, 50, 500}) {
+    for (const std::size_t n : std::array<std::size_t, 3>{5, 50, 500}) {
       CAPTURE(weight);
       CAPTURE(n);
       const Run end = run(hinges(n, weight));
