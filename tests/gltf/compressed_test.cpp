@@ -110,6 +110,18 @@ TEST_CASE("What is kept of a compressed file is written without compression") {
   CHECK(is_tetrahedron(read_text(text)));
 }
 
+TEST_CASE("Compressed bytes that are damaged are refused with their place") {
+  MadeFile file = compressed_tetrahedron();
+  extension_of(file, 1)["mode"] = "TRIANGLES";
+  std::string message;
+  try {
+    read_text(file.glb());
+  } catch (const base::Error& error) {
+    message = error.what();
+  }
+  CHECK_MESSAGE(message.find("bufferViews[1].extensions.EXT_meshopt_compression") != std::string::npos, message);
+}
+
 TEST_CASE("A compressed view that lies ends with its kind") {
   const auto with = [](std::size_t view, const char* member, const Json& value) {
     MadeFile file = compressed_tetrahedron();

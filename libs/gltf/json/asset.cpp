@@ -81,7 +81,7 @@ void Asset::find_compressed_views() {
       ++i;
     });
   }
-  // The validator of Khronos has the same error: what is required is used.
+  // The validator of Khronos has the same error: required extensions have to be used.
   if (std::erase(model_.extensionsRequired, compression_extension) > 0 && compressed_views_.empty())
     throw base::Error("unsupported-extension",
                       std::string("the file requires ") + compression_extension + ", but no buffer view has it");
@@ -119,7 +119,7 @@ BufferView Asset::decompressed(std::size_t index, JsonValue extension) {
     decompressed_bytes_ += view.byteLength;
     if (decompressed_bytes_ / max_expansion > stored_bytes_ - (decompressed_bytes_ - view.byteLength))
       throw base::Error("unsupported", extension.path() + " repeats compressed bytes of other views");
-    found = decompressed_.emplace(index, decoded_view(compression, bytes, host_)).first;
+    found = decompressed_.emplace(index, decoded_view(compression, bytes, extension.path(), host_)).first;
     stored_bytes_ += view.byteLength;
   }
   return {found->second, view.byteStride};

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "base/array.h"
 #include "base/host.h"
@@ -35,9 +36,9 @@ struct Compression {
 // does not allow, and "accessor-range" where its elements are not the view, or more than its bytes can hold.
 Compression compression_of(JsonValue extension, std::uint64_t view_length);
 
-// Returns the count * stride bytes of a compressed view. Throws Error "truncated" when meshoptimizer refuses the bytes,
-// "unsupported-extension" in builds without it.
+// Returns the count * stride bytes of a compressed view; `where` is the extension in the file. Throws Error "truncated"
+// when meshoptimizer refuses the bytes, "unsupported-extension" in builds without it.
 base::Array<std::byte> decoded_view(const Compression& compression, std::span<const std::byte> bytes,
-                                    const base::Host& host);
+                                    const std::string& where, const base::Host& host);
 
 }  // namespace orbicube::gltf

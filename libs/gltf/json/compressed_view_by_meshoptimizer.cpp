@@ -42,12 +42,13 @@ int version_of_meshoptimizer() {
 }
 
 base::Array<std::byte> decoded_view(const Compression& compression, std::span<const std::byte> bytes,
-                                    const base::Host& host) {
+                                    const std::string& where, const base::Host& host) {
   host.report("decompress", 0, 1);
   base::Array<std::byte> out(compression.count * compression.stride, std::byte{0}, host.memory);
   if (compression.count == 0) return out;
   if (decode(compression, bytes, out.data()) != 0)
-    throw base::Error("truncated", "the bytes of a compressed buffer view are not what meshoptimizer writes");
+    throw base::Error("truncated",
+                      where + ": the compressed bytes are cut off or damaged; meshoptimizer cannot decode them");
   apply_filter(compression, out.data());
   return out;
 }
